@@ -6,7 +6,6 @@
 #include "contact_spans.hpp"
 #include "faults.hpp"
 #include "near_schedule.hpp"
-#include "one_material.hpp"
 #include "propagation.hpp"
 #include "stepped_bar.hpp"
 

@@ -74,19 +74,10 @@ void SceneHarmonicAnswer::watch(std::size_t motion, const HarmonicWatch& by) con
     HarmonicNetwork asked = given();
     const StillNetwork still = underConstantForces(asked.network);
     asked.network = still.network;
-    const std::vector<double> stretched = stretchedWaves(still.network, still.displacements);
     HarmonicWatch seeing = by;
     if (by.state) {
         seeing.state = [&](std::int64_t step, NetworkStart now) {
-            std::size_t wave = 0;
-            for (std::size_t channel = 0; channel < stretched.size(); ++channel) {
-                for (std::int64_t k = 0; k < lengthOf(still.network, channel); ++k) {
-                    now.waves[wave++] += stretched[channel];
-                }
-            }
-            for (std::size_t node = 0; node < now.displacements.size(); ++node) {
-                now.displacements[node] += still.displacements[node];
-            }
+            still.addShape(now);
             by.state(step, now);
         };
     }

@@ -92,4 +92,15 @@ private:
     std::string text_;
 };
 
+/// \throws std::invalid_argument with this one fault.
+template <typename Value>
+[[noreturn]] void throwFault(std::string_view field, const Value& value, std::string_view allowed,
+                             std::string_view remedy = {})
+{
+    Faults faults;
+    faults.add(field, value, allowed, remedy);
+    faults.throwIfAny();
+    throw std::logic_error("a fault was added");
+}
+
 }  // namespace signorini

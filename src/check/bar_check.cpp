@@ -5,7 +5,6 @@
 
 #include "contact_spans.hpp"
 #include "echo.hpp"
-#include "faults.hpp"
 #include "infinity.hpp"
 #include "marcher.hpp"
 
@@ -13,22 +12,11 @@ namespace signorini {
 
 namespace {
 
-Scene sceneOf(const Stops& stops, std::span<const Segment> segments)
-{
-    Scene scene;
-    scene.bar.gap = stops.right;  // else L = 1
-    if (stops.left) {
-        scene.secondStop = stops.left->value();
-    }
-    scene.segments.assign(segments.begin(), segments.end());
-    return scene;
-}
-
 /// The phases in which a stop is pressed, from the start of one.
-std::vector<Phase> phasesOf(const std::vector<ContactSteps>& pressed)
+std::vector<Phase> phasesOf(const std::vector<ContactSpan>& pressed)
 {
     ContactRuns runs;
-    for (const ContactSteps& part : pressed) {
+    for (const ContactSpan& part : pressed) {
         part.closed == 0
             ? runs.rest(part.steps)
             : runs.press(contains(part.closed, 0) ? Stop::right : Stop::left, part.steps);
@@ -73,7 +61,7 @@ NetworkClaim claimOf(const Network& network, const State& state, const Schedule&
     }
     for (const ContactSpan& span : spansOf(schedule)) {
         if (span.steps > 0) {  // contact without end has no flight
-            claim.schedule.push_back({span.closed, span.steps});
+            claim.schedule.push_back(span);
         }
     }
     return claim;
@@ -88,7 +76,8 @@ BarVerification verifyBar(const State& state, const Schedule& schedule,
         validate(schedule);
     }
     requireCells(state, schedule.cells);
-    const Network network = networkOf(sceneOf(schedule.stops, segments), schedule.cells, damping);
+    const Network network =
+        networkOf(schedule.stops, {segments.begin(), segments.end()}, schedule.cells, damping);
     const auto cells = static_cast<double>(schedule.cells);
     const bool isDriven = !excitation.values.empty();
     NetworkClaim claim = claimOf(network, state, schedule, excitation);

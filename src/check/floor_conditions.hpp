@@ -13,6 +13,7 @@
 
 #include "contact_spans.hpp"
 #include "interval.hpp"
+#include "largest.hpp"
 #include "rational.hpp"
 #include "signorini/certificate.hpp"
 
@@ -116,10 +117,7 @@ private:
         // A sum of three numbers that were computed from those of the scene.
         constexpr double rounding = 32.0 * std::numeric_limits<double>::epsilon();
         const CellRow& row = network_.rows[m.row];
-        double rest = 0.0;
-        for (const NetworkNode& node : network_.nodes) {
-            rest = std::max(rest, std::abs(node.rest));
-        }
+        const double rest = largestSizeOf(network_.nodes, &NetworkNode::rest);
         const double size = network_.strainLimit * row.speed + 2.0 * rest +
                             std::abs(network_.gravity) * static_cast<double>(row.cells);
         const double error = rounding * size;

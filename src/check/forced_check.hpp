@@ -3,10 +3,8 @@
 /// Independent checks of forced motions: the rows of a schedule and a march that detects contact,
 /// both on the cells of the bar, and proofs of absence.
 
-#include <cstdint>
 #include <limits>
 #include <span>
-#include <vector>
 
 #include "signorini/certificate.hpp"
 #include "signorini/motion.hpp"

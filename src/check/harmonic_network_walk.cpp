@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "harmonic_walk.hpp"
+#include "largest.hpp"
 #include "network_simulation.hpp"
 
 namespace signorini {
@@ -40,14 +41,9 @@ public:
         if (part > 0.0) {
             lanes_.insert(lanes_.begin(), {{network_, motion.early}, held + 1, 0.0, part});
         }
-        for (const auto* waves : {&motion.early, &motion.late}) {
-            for (const Complex& wave : *waves) {
-                size_ = std::max(size_, lengthOf(wave));
-            }
-        }
-        for (const CellRow& row : network_.rows) {
-            stiffest_ = std::max(stiffest_, row.impedance);
-        }
+        const auto sizeOf = [](Complex wave) { return lengthOf(wave); };
+        size_ = std::max(largestOf(motion.early, sizeOf), largestOf(motion.late, sizeOf));
+        stiffest_ = largestOf(network_.rows, &CellRow::impedance);
     }
 
     void run()

@@ -7,7 +7,6 @@
 #include <numeric>
 
 #include "harmonic_discs.hpp"
-#include "portable.hpp"
 
 namespace signorini {
 

@@ -5,6 +5,8 @@
 #include <functional>
 #include <iterator>
 
+#include "largest.hpp"
+
 namespace signorini {
 
 void SlidingRange::add(double value)
@@ -53,9 +55,7 @@ NetworkCells::NetworkCells(const Network& network, const NetworkClaim& claim, do
 
 void NetworkCells::compareWith()
 {
-    for (const double wave : claim_.waves) {
-        size_ = std::max(size_, std::abs(wave));
-    }
+    size_ = largestSizeOf(claim_.waves);
     double gap = 0.0;
     std::vector<double> impedances(network_.nodes.size(), 0.0);
     for (std::size_t k = 0; k < network_.channels(); ++k) {

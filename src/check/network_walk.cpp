@@ -5,6 +5,7 @@
 
 #include "faults.hpp"
 #include "infinity.hpp"
+#include "largest.hpp"
 #include "network_cells.hpp"
 
 namespace signorini {
@@ -16,7 +17,7 @@ void validate(const Network& network, const NetworkClaim& claim)
     validate(network);
     Faults faults;
     std::int64_t steps = 0;
-    for (const ContactSteps& part : claim.schedule) {
+    for (const ContactSpan& part : claim.schedule) {
         faults.requireWhole("steps", part.steps, std::int64_t{1} << 40);
         faults.throwIfAny();
         (void)clustersOf(network, part.closed);
@@ -70,17 +71,14 @@ double strainExcess(const Network& network, const NetworkClaim& claim, const Net
     if (network.strainLimit == infinity) {
         return 0.0;
     }
-    double size = 0.0;
-    for (const double wave : claim.waves) {
-        size = std::max(size, std::abs(wave));
-    }
     double slowest = infinity;
     for (const CellRow& row : network.rows) {
         slowest = std::min(slowest, row.speed);
     }
     const double half = 0.5 * std::abs(network.gravity);
     const double beyond = -seen.leastStrain - half / slowest - network.strainLimit;
-    return std::max(0.0, beyond / std::max(network.strainLimit, size / slowest));
+    return std::max(0.0,
+                    beyond / std::max(network.strainLimit, largestSizeOf(claim.waves) / slowest));
 }
 
 NetworkResiduals walk(const Network& network, const NetworkClaim& claim, double tolerance)
@@ -94,7 +92,7 @@ NetworkResiduals walk(const Network& network, const NetworkClaim& claim, double 
     seen.tie = cells.untied();
     std::size_t step = 0;
     ContactSet before = claim.schedule.back().closed;
-    for (const ContactSteps& part : claim.schedule) {
+    for (const ContactSpan& part : claim.schedule) {
         for (std::size_t j = 0; j < network.contacts.size(); ++j) {
             if (contains(part.closed, j) && !contains(before, j)) {
                 seen.gap = std::max(seen.gap, std::abs(cells.distance(j)) / cells.length());

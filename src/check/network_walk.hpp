@@ -5,39 +5,25 @@
 /// programs, matrices or who found the state.
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
-#include "network.hpp"
+#include "contact_spans.hpp"
 
 namespace signorini {
 
-/// Steps in a row with the same contacts closed.
-struct ContactSteps {
-    ContactSet closed = 0;
-    std::int64_t steps = 0;
-};
-
 /// What is to be checked; units as in network.hpp.
 struct NetworkClaim {
-    std::vector<double> waves = {};           ///< in the order of Network::waves
-    std::vector<double> displacements = {};   ///< of the nodes, at the start
-    std::vector<ContactSteps> schedule = {};  ///< one period
-    std::vector<double> forces = {};          ///< on the driven nodes, step by step; empty: none
-    std::vector<double> velocities = {};      ///< of the shaken clamps; empty: none
+    std::vector<double> waves = {};          ///< in the order of Network::waves
+    std::vector<double> displacements = {};  ///< of the nodes, at the start
+    std::vector<ContactSpan> schedule = {};  ///< one period
+    std::vector<double> forces = {};         ///< on the driven nodes, step by step; empty: none
+    std::vector<double> velocities = {};     ///< of the shaken clamps; empty: none
     /// Lengths are compared with it; 0: with the largest wave times the steps in which it crosses
     /// all cells, or a wider gap.
     double length = 0.0;
 
     /// Of one period.
-    [[nodiscard]] std::int64_t steps() const
-    {
-        std::int64_t sum = 0;
-        for (const ContactSteps& part : schedule) {
-            sum += part.steps;
-        }
-        return sum;
-    }
+    [[nodiscard]] std::int64_t steps() const { return stepsOf(schedule); }
 };
 
 /// What a contact saw.
@@ -96,7 +82,7 @@ struct NetworkMarch {
                                    ///< overlap / length at a fault
     std::int64_t firstFault = -1;  ///< step in which contacts overlap; -1: none
     std::int64_t repeats = 0;  ///< steps, a divisor of n, after which the waves are back; 0: none
-    std::vector<ContactSteps> pressed;  ///< the contacts that press, step after step
+    std::vector<ContactSpan> pressed;  ///< the contacts that press, step after step
     NetworkExtremes extremes;
 };
 

@@ -8,7 +8,6 @@
 #include "demand_names.hpp"
 #include "faults.hpp"
 #include "files.hpp"
-#include "one_material.hpp"
 #include "progress.hpp"
 #include "reports.hpp"
 #include "scene_find.hpp"

@@ -81,9 +81,7 @@ std::optional<std::int64_t> countNumbers(const AtlasRange& range)
 AtlasRange usualRange(std::int64_t cells)
 {
     if (cells < 1 || cells > maxCells) {
-        Faults faults;
-        faults.add("cells", cells, fmt::format("1..{}", maxCells));
-        faults.throwIfAny();
+        throwFault("cells", cells, fmt::format("1..{}", maxCells));
     }
     AtlasRange range;
     range.cells = cells;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <limits>
 #include <stdexcept>
 
@@ -47,11 +46,7 @@ bool isCanonical(const Network& network, const NetworkClaim& motion,
                  const std::vector<ContactSpan>& schedule)
 {
     const NetworkMarch seen = march(network, motion);
-    return seen.firstFault < 0 && seen.repeats == stepsOf(schedule) &&
-           std::equal(seen.pressed.begin(), seen.pressed.end(), schedule.begin(), schedule.end(),
-                      [](const ContactSteps& pressed, const ContactSpan& span) {
-                          return pressed.closed == span.closed && pressed.steps == span.steps;
-                      });
+    return seen.firstFault < 0 && seen.repeats == stepsOf(schedule) && seen.pressed == schedule;
 }
 
 }  // namespace

@@ -1,18 +1,31 @@
 #include "contact_response.hpp"
 
 #include <cmath>
+#include <functional>
 
 #include "contact_answers.hpp"
 #include "forced_case.hpp"
 #include "forced_polytope.hpp"
 #include "forced_set.hpp"
 #include "harmonic_motion.hpp"
+#include "infinity.hpp"
 #include "network_find.hpp"
 #include "network_forced.hpp"
+#include "network_simulation.hpp"
 
 namespace signorini {
 
 namespace {
+
+/// What begins a motion: a contact that is closed in so many steps from the start.
+struct ContactStart {
+    std::size_t contact = 0;
+    std::int64_t closed = 0;
+    Plane place;         ///< (C, S)
+    NetworkStart start;  ///< waves and displacements, by the harmonic and the pushes
+};
+/// The motion of it, verified.
+using MotionFrom = std::function<ForcedMotion(const ContactStart&)>;
 
 /// One schedule by programs of its own.
 void addAlone(FrequencyResponse& response, const HarmonicNetwork& given, std::size_t contact,
@@ -160,26 +173,6 @@ private:
     ContactResponse response_;
 };
 
-/// Adds the shape under constant forces to what moves about it.
-MotionFrom aboutShape(const Network& network, const StillNetwork& still,
-                      const MotionFrom& motionFrom)
-{
-    return [&network, &still, &motionFrom,
-            steady = stretchedWaves(network, still.displacements)](ContactStart from) {
-        auto wave = from.start.waves.begin();
-        for (std::size_t channel = 0; channel < steady.size(); ++channel) {
-            const std::int64_t length = lengthOf(network, channel);
-            for (std::int64_t cell = 0; cell < length; ++cell) {
-                *wave++ += steady[channel];
-            }
-        }
-        for (std::size_t node = 0; node < still.displacements.size(); ++node) {
-            from.start.displacements[node] += still.displacements[node];
-        }
-        return motionFrom(from);
-    };
-}
-
 /// Where nothing damps some waves, or bars drift.
 std::optional<ContactResponse> scheduleByScheduleOf(const HarmonicNetwork& given,
                                                     std::size_t contact,
@@ -198,20 +191,10 @@ std::optional<ContactResponse> scheduleByScheduleOf(const HarmonicNetwork& given
     return response;
 }
 
-}  // namespace
-
-std::vector<ContactSpan> spansOf(std::size_t contact, std::int64_t closed, std::int64_t steps)
-{
-    std::vector<ContactSpan> spans{{ContactSet{1} << contact, closed}};
-    if (closed < steps) {
-        spans.push_back({0, steps - closed});
-    }
-    return spans;
-}
-
-std::optional<std::vector<ContactResponse>> contactResponses(const HarmonicNetwork& given,
-                                                             const MotionFrom& motionFrom,
-                                                             const Cancel& cancel)
+/// By contact, with motions as they are made of what begins them.
+std::optional<std::vector<ContactResponse>> responsesWith(const HarmonicNetwork& given,
+                                                          const MotionFrom& motionFrom,
+                                                          const Cancel& cancel)
 {
     requireAsked(given, maxStaircaseSteps);
     StillNetwork shape;
@@ -223,7 +206,10 @@ std::optional<std::vector<ContactResponse>> contactResponses(const HarmonicNetwo
         still = given;
         still->network = shape.network;
         open.emplace(*still);
-        moved = aboutShape(given.network, shape, motionFrom);
+        moved = [&shape, &motionFrom](ContactStart from) {
+            shape.addShape(from.start);
+            return motionFrom(from);
+        };
     }
     std::vector<ContactResponse> all;
     for (std::size_t contact = 0; contact < given.network.contacts.size(); ++contact) {
@@ -242,6 +228,17 @@ std::optional<std::vector<ContactResponse>> contactResponses(const HarmonicNetwo
     return all;
 }
 
+}  // namespace
+
+std::vector<ContactSpan> spansOf(std::size_t contact, std::int64_t closed, std::int64_t steps)
+{
+    std::vector<ContactSpan> spans{{ContactSet{1} << contact, closed}};
+    if (closed < steps) {
+        spans.push_back({0, steps - closed});
+    }
+    return spans;
+}
+
 std::optional<std::vector<ContactResponse>> contactResponses(const HarmonicNetwork& given,
                                                              const Cancel& cancel)
 {
@@ -251,16 +248,57 @@ std::optional<std::vector<ContactResponse>> contactResponses(const HarmonicNetwo
         const std::int64_t flight = given.steps - from.closed;
         ForcedMotion motion = drivenMotion({given.network.cells(), {{from.closed, flight}}, {}}, {},
                                            shapes, from.place);
-        const auto& [waves, displacements, pieces] = from.start;
-        motion.state.a = Eigen::Map<const Eigen::VectorXd>(waves.data(),
-                                                           static_cast<Eigen::Index>(waves.size()));
-        motion.state.b = Eigen::Map<const Eigen::VectorXd>(
-            displacements.data(), static_cast<Eigen::Index>(displacements.size()));
-        enterWalk(motion, given.network,
-                  claimOf(spansOf(from.contact, from.closed, given.steps), motion));
+        enterWalk(motion, given.network, spansOf(from.contact, from.closed, given.steps),
+                  from.start);
         return motion;
     };
-    return contactResponses(given, walked, cancel);
+    return responsesWith(given, walked, cancel);
+}
+
+std::optional<FrequencyResponse> steppedResponseAt(const ResponseRange& range, std::int64_t steps,
+                                                   const Cancel& cancel)
+{
+    const auto cells = static_cast<double>(range.cells);
+    const double unit = range.place == Excited::tip ? 1.0 : cells;  // in those of the network
+    const HarmonicNetwork given{networkOf(range.stops, range.segments, range.cells, range.damping),
+                                range.place, unit * range.amplitude, steps, range.cycles};
+    const std::vector<Excitation> shapes =
+        shapesOf({range.place, range.cycles, {}}, range.cells, steps);
+    const MotionFrom motionFrom = [&](const ContactStart& from) {
+        const Schedule schedule{
+            range.cells,
+            {{from.closed, steps - from.closed, from.contact == 0 ? Stop::right : Stop::left}},
+            range.stops};
+        ForcedMotion motion =
+            drivenMotion(schedule, range.damping, shapes, (1.0 / unit) * from.place);
+        enterState(motion, range.segments, stateOf(given.network, from.start.waves));
+        return motion;
+    };
+    const auto contacts = responsesWith(given, motionFrom, cancel);
+    if (!contacts) {
+        return std::nullopt;
+    }
+    FrequencyResponse all;
+    all.steps = steps;
+    all.frequencyRatio =
+        4.0 * cells * static_cast<double>(range.cycles) / static_cast<double>(steps);
+    all.linearPeak = contacts->front().found.linearPeak / cells;
+    all.openUpTo = infinity;
+    for (const auto& [found, permanent, leastPush, distance] : *contacts) {
+        all.openUpTo = std::min(all.openUpTo, found.openUpTo / unit);
+        all.touches = all.touches || found.touches;
+        all.detail = all.undecided == 0 ? found.detail : all.detail;
+        all.undecided += found.undecided;
+        all.motions.insert(all.motions.end(), found.motions.begin(), found.motions.end());
+        for (const AmplitudeBranch& branch : found.branches) {
+            all.branches.push_back({branch.contact, branch.least / unit, branch.most / unit});
+        }
+        all.permanentUpTo = std::max(all.permanentUpTo, found.permanentUpTo / unit);
+        if (permanent) {
+            all.permanent = {leastPush, permanent->extremes, permanent->residual};
+        }
+    }
+    return all;
 }
 
 }  // namespace signorini

@@ -5,30 +5,17 @@
 /// waves of the open network its contacts grow (growing_contact.hpp), else each schedule is a
 /// program (network_forced.hpp). docs/theory.md, sections 15, 19 and 20.
 
-#include <functional>
 #include <optional>
 #include <vector>
 
 #include "contact_spans.hpp"
-#include "forced_line.hpp"
 #include "harmonic_network.hpp"
-#include "network_simulation.hpp"
 #include "signorini/response.hpp"
 
 namespace signorini {
 
 /// Most steps of a period.
 inline constexpr std::int64_t maxStaircaseSteps = 20'000;
-
-/// What begins a motion: a contact that is closed in so many steps from the start.
-struct ContactStart {
-    std::size_t contact = 0;
-    std::int64_t closed = 0;
-    Plane place;         ///< (C, S)
-    NetworkStart start;  ///< waves and displacements, by the harmonic and the pushes
-};
-/// The motion of it, verified.
-using MotionFrom = std::function<ForcedMotion(const ContactStart&)>;
 
 /// The schedule in which a contact is closed in so many of n steps, from the first.
 [[nodiscard]] std::vector<ContactSpan> spansOf(std::size_t contact, std::int64_t closed,
@@ -44,18 +31,20 @@ struct ContactResponse {
     std::optional<double> distance = {};
 };
 
-/// By contact, of the amplitude that is given. O(n^2/G) for each contact, and O(n (cells + n_c/G))
-/// for each motion; schedule by schedule n times as much as forcedScene. None if it was cancelled.
-/// Undecided: schedules whose waves the steps in flight fix no better than rounding, residuals that
-/// say so, and what forcedScene does not decide.
+/// By contact, of the amplitude that is given, walked (network_walk.hpp): all waves in `a` of the
+/// states, displacements of nodes in `b`, the impulse that of all contacts. O(n^2/G) for each
+/// contact, and O(n (cells + n_c/G)) for each motion; schedule by schedule n times as much as
+/// forcedScene. None if it was cancelled. Undecided: schedules whose waves the steps in flight fix
+/// no better than rounding, residuals that say so, and what forcedScene does not decide.
 /// \throws std::invalid_argument as requireAsked (harmonic_network.hpp), of at most
 /// maxStaircaseSteps; as underConstantForces; as forcedScene.
 [[nodiscard]] std::optional<std::vector<ContactResponse>> contactResponses(
-    const HarmonicNetwork& given, const MotionFrom& motionFrom, const Cancel& cancel);
-
-/// The same with motions that are walked (network_walk.hpp): all waves in `a` of their states,
-/// displacements of nodes in `b`, the impulse that of all contacts.
-[[nodiscard]] std::optional<std::vector<ContactResponse>> contactResponses(
     const HarmonicNetwork& given, const Cancel& cancel);
+
+/// As responseAt, with one contact: that of the network of the bar. \pre a valid range with several
+/// segments.
+[[nodiscard]] std::optional<FrequencyResponse> steppedResponseAt(const ResponseRange& range,
+                                                                 std::int64_t steps,
+                                                                 const Cancel& cancel);
 
 }  // namespace signorini

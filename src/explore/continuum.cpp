@@ -4,7 +4,6 @@
 #include <cmath>
 #include <random>
 
-#include "continuum_cone.hpp"
 #include "continuum_geometric.hpp"
 #include "continuum_programs.hpp"
 #include "continuum_record.hpp"
@@ -328,10 +327,8 @@ std::vector<State> sampleMotions(const Schedule& schedule, double energyRatio, s
 {
     const OnePhaseSet whole = onePhaseSet(schedule);
     if (count < 1 || count > maxContinuumPoints || !(energyRatio > 0.0)) {
-        Faults faults;
-        faults.add("count and energyRatio", fmt::format("{} and {}", count, energyRatio),
+        throwFault("count and energyRatio", fmt::format("{} and {}", count, energyRatio),
                    fmt::format("1..{} and finite numbers > 0", maxContinuumPoints));
-        faults.throwIfAny();
     }
     std::vector<State> motions;
     if (whole.reason) {

@@ -1,4 +1,4 @@
-#include "continuum_cone.hpp"
+// Curves and members without a gap: great circles of a cone.
 
 #include <algorithm>
 #include <cmath>

@@ -11,6 +11,9 @@ namespace signorini {
 /// \pre section.facts().simplex; two ends lie in one component.
 void traceGeometrically(ContinuumRecord& record, const EnergySection& section);
 
+/// The same without a gap, on great circles of a cone. A direction is not among them.
+void traceInCone(ContinuumRecord& record, const ConeSection& section);
+
 /// Keeps the split pulse with this pause [L/c]; false if the trace ends there.
 bool keepSplitPulse(ContinuumRecord& record, const EnergySection& section, double pause);
 

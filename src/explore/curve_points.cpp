@@ -32,12 +32,10 @@ std::size_t nearestTo(double lambda, const std::vector<double>& lambdas)
 void requireWithin(double lambda, const std::vector<double>& lambdas)
 {
     if (lambdas.empty() || !(lambda >= lambdas.front() && lambda <= lambdas.back())) {
-        Faults faults;
-        faults.add("member", lambda,
+        throwFault("member", lambda,
                    lambdas.empty()
                        ? "none: the curve has no points"
                        : fmt::format("lambda = {}..{}", lambdas.front(), lambdas.back()));
-        faults.throwIfAny();
     }
 }
 

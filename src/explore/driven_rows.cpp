@@ -17,11 +17,8 @@ constexpr double negligible = 1e-11;  // of rows, relative to the largest
 
 double sizeOf(const ForcedRow& row)
 {
-    double largest = std::max(std::abs(row.plane.c), std::abs(row.plane.s));
-    for (const auto& [wave, factor] : row.free) {
-        largest = std::max(largest, std::abs(factor));
-    }
-    return largest;
+    return std::max({std::abs(row.plane.c), std::abs(row.plane.s),
+                     largestSizeOf(row.free, [](const auto& entry) { return entry.second; })});
 }
 
 /// Shapes times C and S.

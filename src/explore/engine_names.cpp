@@ -30,10 +30,8 @@ std::string solverOfEngine(std::string_view engine, std::string_view argument)
     if (engine != "auto" && std::none_of(table.begin(), table.end(), [&](const Backend& backend) {
             return backend.name == engine;
         })) {
-        Faults faults;
-        faults.add(argument, engine.empty() ? "''" : engine,
+        throwFault(argument, engine.empty() ? "''" : engine,
                    "auto|geometric|ipopt|nlopt, or a back end");
-        faults.throwIfAny();
     }
     return std::string(engine);
 }

@@ -11,9 +11,7 @@ bool forEachSchedule(const AtlasRange& range, const ScheduleVisitor& visitor, co
 {
     validate(range);
     if (range.maxPhases != 1) {
-        Faults faults;
-        faults.add("phases", range.maxPhases, "1 (families have one contact phase)");
-        faults.throwIfAny();
+        throwFault("phases", range.maxPhases, "1 (families have one contact phase)");
     }
     const Tents tents(range);
     const std::int64_t last = range.maxContact + range.maxFree;

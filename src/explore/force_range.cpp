@@ -89,10 +89,8 @@ public:
         for (std::size_t j = 0; j < network_.contacts.size(); ++j) {
             const double distance = distanceOf(j);
             if (distance <= touching * std::abs(network_.contacts[j].gap)) {
-                Faults faults;
-                faults.add(fmt::format("distance of contact {} at rest", j + 1),
+                throwFault(fmt::format("distance of contact {} at rest", j + 1),
                            distance * network_.scales.displacement, "> 0 [m]");
-                faults.throwIfAny();
             }
         }
         const double steps = std::round(duration);

@@ -153,12 +153,6 @@ std::vector<ForcedMotion> motionsOnLine(const ForcedLine& line, double amplitude
     return motions;
 }
 
-std::vector<ForcedMotion> motionsOnLine(const ForcedCase& all, const ForcedLine& line,
-                                        double amplitude)
-{
-    return motionsOnLine(line, amplitude, [&](double t) { return forcedMotion(all, line.at(t)); });
-}
-
 void addBranches(FrequencyResponse& response, std::int64_t contact, const ForcedLine& line)
 {
     const double offset = portable::hypot(line.foot.c, line.foot.s);

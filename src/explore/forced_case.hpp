@@ -56,10 +56,6 @@ void enterState(ForcedMotion& motion, std::span<const Segment> segments, State s
     const ForcedLine& line, double amplitude,
     const std::function<ForcedMotion(double t)>& motionAt);
 
-/// The same of a uniform bar. O(n).
-[[nodiscard]] std::vector<ForcedMotion> motionsOnLine(const ForcedCase& all, const ForcedLine& line,
-                                                      double amplitude);
-
 /// The amplitudes on what is left of a line. On both sides of the foot they grow along it.
 void addBranches(FrequencyResponse& response, std::int64_t contact, const ForcedLine& line);
 

@@ -262,11 +262,9 @@ ForcedMotion motionAt(const ForcedSet& set, double t)
 {
     requireMotions(set);
     if (set.kind == ForcedKind::polytope || !(t >= set.low && t <= set.high)) {
-        Faults faults;
-        faults.add("t", t,
+        throwFault("t", t,
                    set.kind == ForcedKind::polytope ? "nothing: a polytope has no line"
                                                     : fmt::format("{}..{}", set.low, set.high));
-        faults.throwIfAny();
     }
     return withMotions(set,
                        [&](const MotionAt& motionAt) { return motionAt(lineOf(set).at(t), {}); });

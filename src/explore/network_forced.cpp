@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "energy_floor.hpp"
 #include "faults.hpp"
 #include "forced_case.hpp"
 #include "forced_cut.hpp"
@@ -87,17 +86,23 @@ NetworkClaim claimOf(std::span<const ContactSpan> schedule, const ForcedMotion& 
     NetworkClaim claim;
     claim.waves.assign(motion.state.a.begin(), motion.state.a.end());
     claim.displacements.assign(motion.state.b.begin(), motion.state.b.end());
-    for (const ContactSpan& span : schedule) {
-        claim.schedule.push_back({span.closed, span.steps});
-    }
+    claim.schedule.assign(schedule.begin(), schedule.end());
     StepDrive drive = driveOf(motion.excitation);
     claim.forces = std::move(drive.forces);
     claim.velocities = std::move(drive.velocities);
     return claim;
 }
 
-void enterWalk(ForcedMotion& motion, const Network& network, const NetworkClaim& claim)
+void enterWalk(ForcedMotion& motion, const Network& network, std::span<const ContactSpan> schedule,
+               const NetworkStart& state)
 {
+    const auto vectorOf = [](const std::vector<double>& values) {
+        return Eigen::Map<const Eigen::VectorXd>(values.data(),
+                                                 static_cast<Eigen::Index>(values.size()));
+    };
+    motion.state.a = vectorOf(state.waves);
+    motion.state.b = vectorOf(state.displacements);
+    const NetworkClaim claim = claimOf(schedule, motion);
     const NetworkResiduals residuals = walk(network, claim);
     motion.residual = std::max(residuals.worst(), strainExcess(network, claim, residuals.extremes));
     motion.extremes.impulse =
@@ -124,11 +129,6 @@ NetworkForced::NetworkForced(Network network, std::vector<ContactSpan> spans,
       mostEnergy_(hugeEnergyRatio * usualEnergy)
 {
     limitStrain();
-}
-
-NetworkClaim NetworkForced::claimOf(const ForcedMotion& motion) const
-{
-    return signorini::claimOf(waves_.schedule(), motion);
 }
 
 void NetworkForced::limitStrain()
@@ -169,17 +169,12 @@ MotionAt NetworkForced::motionAt() const
 {
     return [this](Plane place, std::span<const double> free) {
         const std::vector<double> all = waves_.waves(place, free);
+        ForcedMotion motion = drivenMotion(schedule_, damping_, shapes_, place);
         if (!bar_) {
-            const std::vector<double> places = waves_.displacements(place, all);
-            ForcedMotion motion = drivenMotion(schedule_, damping_, shapes_, place);
-            motion.state.a = Eigen::Map<const Eigen::VectorXd>(
-                all.data(), static_cast<Eigen::Index>(all.size()));
-            motion.state.b = Eigen::Map<const Eigen::VectorXd>(
-                places.data(), static_cast<Eigen::Index>(places.size()));
-            enterWalk(motion, waves_.network(), claimOf(motion));
+            enterWalk(motion, waves_.network(), schedule(),
+                      {all, waves_.displacements(place, all)});
             return motion;
         }
-        ForcedMotion motion = drivenMotion(schedule_, damping_, shapes_, place);
         enterState(motion, bar_->segments, stateOf(waves_.network(), all));
         const double excess = motion.extremes.peakCompression / waves_.network().strainLimit - 1.0;
         motion.residual = std::max(motion.residual, excess);
@@ -337,7 +332,7 @@ ForcedSet forcedScene(const Network& network, const std::vector<ContactSpan>& sc
 
 NetworkClaim claimOf(const ForcedSet& set, const ForcedMotion& motion)
 {
-    return set.waves->claimOf(motion);
+    return claimOf(set.waves->schedule(), motion);
 }
 
 }  // namespace signorini

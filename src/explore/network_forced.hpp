@@ -6,6 +6,7 @@
 
 #include "driven_rows.hpp"
 #include "forced_set.hpp"
+#include "network_simulation.hpp"
 #include "network_walk.hpp"
 #include "stepped_bar.hpp"
 
@@ -29,8 +30,7 @@ public:
     /// The motion at (C, S), walked and marched. O(n N). Of a network that is no bar all waves are
     /// in `a` of the state, displacements of nodes in `b`, and the impulse is that of all contacts.
     [[nodiscard]] MotionAt motionAt() const;
-    /// A motion of it as what is walked. \pre no bar of segments.
-    [[nodiscard]] NetworkClaim claimOf(const ForcedMotion& motion) const;
+    [[nodiscard]] const std::vector<ContactSpan>& schedule() const { return waves_.schedule(); }
     /// Why none has an amplitude.
     [[nodiscard]] AmplitudeExclusion exclusion(const ForcedSet& set, double amplitude) const;
     /// Do the multipliers leave no excitation?
@@ -79,10 +79,11 @@ private:
 /// what is walked.
 [[nodiscard]] NetworkClaim claimOf(std::span<const ContactSpan> schedule,
                                    const ForcedMotion& motion);
-/// Enters its residual, and the impulse of all contacts.
-void enterWalk(ForcedMotion& motion, const Network& network, const NetworkClaim& claim);
+/// Enters such a state, its residual, and the impulse of all contacts.
+void enterWalk(ForcedMotion& motion, const Network& network, std::span<const ContactSpan> schedule,
+               const NetworkStart& state);
 
-/// A motion of such a set as what is walked.
+/// A motion of a set of `forcedScene` as what is walked.
 [[nodiscard]] NetworkClaim claimOf(const ForcedSet& set, const ForcedMotion& motion);
 
 }  // namespace signorini

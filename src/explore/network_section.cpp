@@ -81,9 +81,7 @@ NetworkClaim NetworkSection::motionOf(std::vector<double> waves) const
 {
     NetworkClaim claim{std::move(waves)};
     claim.displacements = displacementsAt(blocks_, conditions_, claim.waves);
-    for (const ContactSpan& span : blocks_.schedule()) {
-        claim.schedule.push_back({span.closed, span.steps});
-    }
+    claim.schedule = blocks_.schedule();
     return claim;
 }
 

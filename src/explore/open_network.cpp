@@ -12,15 +12,6 @@ namespace {
 
 constexpr double resonance = 1e-12;  // of a matrix that is nearly singular
 
-/// Visits the nodes that a push acts on, and by how much their way is that of the distance.
-void forEachPushed(const NetworkContact& contact, const auto& visit)
-{
-    visit(contact.node, contact.kind == ContactKind::stopLeft ? 1.0 : -1.0);
-    if (contact.kind == ContactKind::gap) {
-        visit(contact.node + 1, 1.0);
-    }
-}
-
 }  // namespace
 
 OpenNetwork::OpenNetwork(const HarmonicNetwork& given)
@@ -47,7 +38,7 @@ OpenNetwork::OpenNetwork(const HarmonicNetwork& given)
 OpenNetwork::Vector OpenNetwork::sentBy(std::size_t contact) const
 {
     Vector sent = Vector::Zero(channels());
-    forEachPushed(network_.contacts[contact], [&](std::size_t node, double sign) {
+    forEachSide(network_.contacts[contact], [&](std::size_t node, int sign) {
         for (std::size_t c = 0; c < network_.channels(); ++c) {
             if (network_.nodeOf(c) == node) {
                 sent[static_cast<Eigen::Index>(network_.entered(c))] +=
@@ -105,8 +96,8 @@ std::vector<double> OpenNetwork::shapeUnderPush(std::size_t contact) const
     for (NetworkNode& node : shape.nodes) {
         node.rest = 0.0;
     }
-    forEachPushed(network_.contacts[contact],
-                  [&](std::size_t node, double sign) { forces[node] = sign; });
+    forEachSide(network_.contacts[contact],
+                [&](std::size_t node, int sign) { forces[node] = sign; });
     for (std::size_t bar = 0; bar < shape.bars.size(); ++bar) {
         addShapeUnder(shape, bar, forces, std::nullopt);
     }
@@ -144,8 +135,8 @@ OpenNetwork::Complex OpenNetwork::rateByPush(std::size_t contact, const Vector& 
                                              std::size_t pushing) const
 {
     Complex sum = rate(contact, arriving);
-    forEachPushed(network_.contacts[contact], [&](std::size_t node, double sign) {
-        forEachPushed(network_.contacts[pushing], [&](std::size_t pushed, double way) {
+    forEachSide(network_.contacts[contact], [&](std::size_t node, int sign) {
+        forEachSide(network_.contacts[pushing], [&](std::size_t pushed, int way) {
             sum += node == pushed ? sign * way / impedance(node) : 0.0;
         });
     });

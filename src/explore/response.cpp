@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact_response.hpp"
 #include "excited_amplitude.hpp"
 #include "faults.hpp"
 #include "forced_case.hpp"
 #include "portable.hpp"
 #include "stepped_bar.hpp"
-#include "stepped_response.hpp"
 #include "two_contacts.hpp"
 
 namespace signorini {
@@ -113,7 +113,9 @@ void addMotions(FrequencyResponse& response, const ResponseRange& range, const S
         motions = motionsOfAmplitude(set, range.amplitude);
     } else {
         addBranches(response, contact, line);
-        motions = motionsOnLine({schedule, range.damping, shapes, waves}, line, range.amplitude);
+        motions = motionsOnLine(line, range.amplitude, [&](double t) {
+            return forcedMotion({schedule, range.damping, shapes, waves}, line.at(t));
+        });
     }
     addBelievable(response, std::move(motions));
 }
@@ -131,11 +133,9 @@ std::vector<std::int64_t> stepsOf(const ResponseRange& range)
     const double last = std::floor(unit / range.leastFrequencyRatio * (1.0 + rounding));
     const std::int64_t most = isUniform(range.segments) ? maxForcedSteps : maxStaircaseSteps;
     if (!(first <= last && last <= static_cast<double>(most))) {
-        Faults faults;
-        faults.add("frequency ratios",
+        throwFault("frequency ratios",
                    fmt::format("{}..{}", range.leastFrequencyRatio, range.mostFrequencyRatio),
                    fmt::format("4NK/n for some whole n, 2K < n <= {}", most));
-        faults.throwIfAny();
     }
     std::vector<std::int64_t> all;
     double schedules = 0.0;
@@ -144,11 +144,9 @@ std::vector<std::int64_t> stepsOf(const ResponseRange& range)
         schedules += range.contacts > 1 ? twoContactSchedules(n, range.stops) : 0.0;
     }
     if (schedules > maxTwoContactSchedules) {
-        Faults faults;
-        faults.add("contacts: 2, schedules", schedules,
+        throwFault("contacts: 2, schedules", schedules,
                    fmt::format("at most {}: fewer cells, or a shorter range of frequencies",
                                maxTwoContactSchedules));
-        faults.throwIfAny();
     }
     return all;
 }

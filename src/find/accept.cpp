@@ -8,7 +8,6 @@
 #include "energy_bound.hpp"
 #include "energy_section.hpp"
 #include "network_route.hpp"
-#include "one_material.hpp"
 #include "routes.hpp"
 #include "stepped_bar.hpp"
 #include "stops.hpp"

@@ -188,17 +188,14 @@ bool pushesBalance(const Network& network, const std::vector<ContactSpan>& sched
             std::vector<std::size_t> one;
             std::vector<std::size_t> other;
             for (std::size_t j = 0; j < network.contacts.size(); ++j) {
-                const NetworkContact& contact = network.contacts[j];
-                const bool isGap = contact.kind == ContactKind::gap;
                 if (!contains(touched, j) || isIdle[j]) {
                     continue;
                 }
-                if (network.nodes[contact.node].bar == bar) {
-                    (contact.kind == ContactKind::stopLeft ? other : one).push_back(j);
-                }
-                if (isGap && network.nodes[contact.node + 1].bar == bar) {
-                    other.push_back(j);
-                }
+                forEachSide(network.contacts[j], [&](std::size_t node, int sign) {
+                    if (network.nodes[node].bar == bar) {
+                        (sign > 0 ? other : one).push_back(j);
+                    }
+                });
             }
             if (force == 0.0 && one.empty() != other.empty()) {
                 for (const std::size_t j : one.empty() ? other : one) {

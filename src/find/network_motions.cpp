@@ -237,9 +237,7 @@ double energyOf(const Network& network, std::span<const double> waves)
 bool enterMotion(LeastMotion& result, const NetworkBlocks& blocks, NetworkClaim claim,
                  double tolerance)
 {
-    for (const ContactSpan& span : blocks.schedule()) {
-        claim.schedule.push_back({span.closed, span.steps});
-    }
+    claim.schedule = blocks.schedule();
     result.residuals = walk(blocks.network(), claim);
     if (!(result.residuals.worst() <= tolerance)) {
         result.detail = fmt::format("the motion that was found leaves a residual of {:.3g}",

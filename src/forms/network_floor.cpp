@@ -8,15 +8,6 @@ namespace signorini {
 
 namespace {
 
-/// Of nodes at these places, but for the gap.
-double distanceOf(const NetworkContact& contact, const std::vector<double>& places)
-{
-    const double here = places[contact.node];
-    return contact.kind == ContactKind::stopLeft ? here
-           : contact.kind == ContactKind::gap    ? places[contact.node + 1] - here
-                                                 : -here;
-}
-
 /// Collects multipliers.
 template <typename Number>
 class FloorMaker {
@@ -170,7 +161,8 @@ std::vector<double> displacementsAt(const NetworkBlocks& blocks, const NetworkRo
                 const auto& [kind, contact, type, turn] = rows.tied[k];
                 const NetworkContact& at = network.contacts[contact];
                 if (blocks.stepOf(at.node, type, turn) == static_cast<std::int64_t>(step)) {
-                    missing[static_cast<Eigen::Index>(k)] = at.gap + distanceOf(at, now);
+                    missing[static_cast<Eigen::Index>(k)] =
+                        at.gap + openingOf(at, [&now](std::size_t node) { return now[node]; });
                 }
             }
             const double force = drive.forces.empty() ? 0.0 : drive.forces[step];

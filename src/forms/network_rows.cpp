@@ -120,12 +120,10 @@ private:
     /// When the clock of its node begins.
     [[nodiscard]] Vector distanceAt(std::size_t number) const
     {
-        const NetworkContact& contact = network_.contacts[number];
-        const Number sign = contact.kind == ContactKind::stopLeft ? 1 : -1;
-        Vector distance = sign * displacement(contact.node);
-        if (contact.kind == ContactKind::gap) {
-            distance += displacement(contact.node + 1);
-        }
+        Vector distance = nothing();
+        forEachSide(network_.contacts[number], [&](std::size_t node, int sign) {
+            distance += Number(sign) * displacement(node);
+        });
         for (const auto& [bar, factor] : driftsOf(network_, number)) {
             distance[drifts_ + static_cast<Eigen::Index>(bar)] += Number(factor);
         }
@@ -136,7 +134,6 @@ private:
     void follow(std::size_t number)
     {
         const NetworkContact& contact = network_.contacts[number];
-        const Number sign = contact.kind == ContactKind::stopLeft ? 1 : -1;
         Vector distance = distanceAt(number);
         const std::size_t last = blocks_.types().size() - 1;
         bool was = contains(blocks_.closed(last, blocks_.turns() - 1), number);
@@ -158,13 +155,9 @@ private:
                     rows_.impulse += width * push.head(inputs_);
                     inequalities_.push_back({push, Number(0), {Kind::push, number, type, turn}});
                 } else {
-                    const auto move = [&](std::size_t node, const Number& factor) {
-                        add(distance, law.velocity(node), node, type, turn, factor);
-                    };
-                    move(contact.node, sign * width);
-                    if (contact.kind == ContactKind::gap) {
-                        move(contact.node + 1, width);
-                    }
+                    forEachSide(contact, [&](std::size_t node, int sign) {
+                        add(distance, law.velocity(node), node, type, turn, Number(sign) * width);
+                    });
                 }
                 was = is;
             }

@@ -11,7 +11,7 @@ SteppedBlocks blocksOf(const SteppedBar& bar, const Schedule& schedule, double t
     SteppedBlocks result{
         bar,
         schedule,
-        {networkOf(schedule.stops, bar.segments, schedule.cells, {}), spansOf(schedule)},
+        {networkOf(schedule.stops, bar.segments, schedule.cells), spansOf(schedule)},
         {}};
     const std::size_t tip = bar.segments.size();
     std::int64_t step = 0;

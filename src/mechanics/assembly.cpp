@@ -20,10 +20,7 @@ constexpr const char* allWords =
 
 [[noreturn]] void refuseWord(std::size_t number, std::string_view word, std::string_view allowed)
 {
-    Faults faults;
-    faults.add(fmt::format("scene, word {}", number), word.empty() ? "''" : word, allowed);
-    faults.throwIfAny();
-    throw std::logic_error("a fault was added");
+    throwFault(fmt::format("scene, word {}", number), word.empty() ? "''" : word, allowed);
 }
 
 /// A finite number in a unit.
@@ -72,8 +69,7 @@ AssemblyPart cellsOf(std::size_t number, std::string_view word)
     bool isGood = part.cells > 0;
     for (double* value : {&part.impedance, &part.speed}) {
         if (!rest.empty()) {
-            isGood = readNumber(take(), "-", *value) && *value >= 1.0 / mostImpedance &&
-                     *value <= mostImpedance && isGood;
+            isGood = readNumber(take(), "-", *value) && isImpedance(*value) && isGood;
         }
     }
     if (!isGood || !rest.empty() || endsWithColon) {
@@ -259,25 +255,20 @@ private:
     }
     [[noreturn]] void throwScene(std::string_view allowed) const
     {
-        Faults faults;
         const std::string text = textOf(assembly_.parts);
-        faults.add("scene", text.empty() ? "''" : text, allowed);
-        faults.throwIfAny();
-        throw std::logic_error("a fault was added");
+        throwFault("scene", text.empty() ? "''" : text, allowed);
     }
 
     void checkValue(const AssemblyPart& part) const
     {
-        const auto isWithin = [](double value) {
-            return value >= 1.0 / mostImpedance && value <= mostImpedance;
-        };
         const bool isPositive = part.kind == PartKind::dash || part.kind == PartKind::spring ||
                                 part.kind == PartKind::mass;
         if (!std::isfinite(part.value) || (isPositive && !(part.value > 0.0))) {
             refuse(number_, isPositive ? "finite and > 0" : "finite");
         }
-        if (part.kind == PartKind::cells && (part.cells < 1 || part.cells > maxCells ||
-                                             !isWithin(part.impedance) || !isWithin(part.speed))) {
+        if (part.kind == PartKind::cells &&
+            (part.cells < 1 || part.cells > maxCells || !isImpedance(part.impedance) ||
+             !isImpedance(part.speed))) {
             refuse(number_, fmt::format("1..{} cells, impedance and speed in {}..{}", maxCells,
                                         1.0 / mostImpedance, mostImpedance));
         }

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 
 #include "faults.hpp"
@@ -132,12 +131,10 @@ private:
             for (const Stub& stub : network_.stubs) {
                 const double dashpot = network_.nodes[stub.node].dashpot;
                 if (stub.node == bar.firstNode && dashpot < stub.impedance) {
-                    Faults faults;
-                    faults.add("dash", dashpot,
+                    throwFault("dash", dashpot,
                                fmt::format("D >= K h/2 = {} behind a gap with a spring alone: with "
                                            "less its open face would ring",
                                            stub.impedance));
-                    faults.throwIfAny();
                 }
             }
         }
@@ -162,18 +159,8 @@ private:
             addShapeUnder(network_, bar, weights, support);
         }
         for (NetworkContact& contact : network_.contacts) {
-            const double here = network_.nodes[contact.node].rest;
-            switch (contact.kind) {
-                case ContactKind::stopRight:
-                    contact.gap -= here;
-                    break;
-                case ContactKind::stopLeft:
-                    contact.gap += here;
-                    break;
-                case ContactKind::gap:
-                    contact.gap += network_.nodes[contact.node + 1].rest - here;
-                    break;
-            }
+            contact.gap +=
+                openingOf(contact, [this](std::size_t node) { return network_.nodes[node].rest; });
         }
     }
 

@@ -166,12 +166,10 @@ State stateOf(const Network& network, std::span<const double> waves)
 double addDistance(std::span<double> derivatives, const Network& network, std::size_t contact,
                    double factor)
 {
-    const NetworkContact& at = network.contacts[contact];
-    double byBase = addDisplacement(derivatives, network, at.node,
-                                    at.kind == ContactKind::stopLeft ? factor : -factor);
-    if (at.kind == ContactKind::gap) {
-        byBase += addDisplacement(derivatives, network, at.node + 1, factor);
-    }
+    double byBase = 0.0;
+    forEachSide(network.contacts[contact], [&](std::size_t node, int sign) {
+        byBase += addDisplacement(derivatives, network, node, sign * factor);
+    });
     return byBase;
 }
 
@@ -219,17 +217,12 @@ std::vector<std::pair<std::size_t, int>> driftsOf(const Network& network, std::s
 {
     const std::vector<std::size_t> bars = driftingBars(network);
     std::vector<std::pair<std::size_t, int>> drifts;
-    const auto add = [&](std::size_t node, int sign) {
+    forEachSide(network.contacts[contact], [&](std::size_t node, int sign) {
         const auto found = std::find(bars.begin(), bars.end(), network.nodes[node].bar);
         if (found != bars.end()) {
             drifts.emplace_back(found - bars.begin(), sign);
         }
-    };
-    const NetworkContact& at = network.contacts[contact];
-    add(at.node, at.kind == ContactKind::stopLeft ? 1 : -1);
-    if (at.kind == ContactKind::gap) {
-        add(at.node + 1, 1);
-    }
+    });
     return drifts;
 }
 

@@ -21,18 +21,14 @@ double Damping::eta() const
 void validate(const Damping& damping)
 {
     if (!(damping.ratio >= 0.0 && damping.ratio <= maxDampingRatio)) {
-        Faults faults;
-        faults.add("damping ratio", damping.ratio, fmt::format("0..{} [-]", maxDampingRatio));
-        faults.throwIfAny();
+        throwFault("damping ratio", damping.ratio, fmt::format("0..{} [-]", maxDampingRatio));
     }
 }
 
 Damping dampingOfRho(double rho)
 {
     if (!(rho > 0.0 && rho <= 1.0)) {
-        Faults faults;
-        faults.add("rho", rho, "]0, 1] [-]");
-        faults.throwIfAny();
+        throwFault("rho", rho, "]0, 1] [-]");
     }
     const Damping damping{std::abs(portable::log(rho)) / std::numbers::pi};
     validate(damping);
@@ -137,11 +133,9 @@ Excitation excitationAt(Harmonic harmonic, double frequencyRatio, std::string_vi
     const double steps = std::round(exact);
     const auto most = static_cast<double>(maxExcitationSteps);
     if (!(steps >= 3.0 && steps <= most)) {
-        Faults faults;
-        faults.add(field, frequencyRatio,
+        throwFault(field, frequencyRatio,
                    fmt::format("about {:.3g}..{:.3g} [ω₁] with {} steps in L/c", 4.0 * cells / most,
                                4.0 * cells / 3.0, cells));
-        faults.throwIfAny();
     }
     const bool isWhole = std::abs(exact - steps) <= 1e-9 * exact;
     harmonic.cycles = 1;

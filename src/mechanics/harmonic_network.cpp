@@ -32,18 +32,18 @@ void requireAsked(const HarmonicNetwork& given, std::int64_t mostSteps)
     faults.throwIfAny();
 }
 
-std::vector<double> stretchedWaves(const Network& network, std::span<const double> displacements)
+void StillNetwork::addShape(NetworkStart& moved) const
 {
-    std::vector<double> waves;
-    for (const CellRow& row : network.rows) {
-        const double stretch =
-            (displacements[row.right] - displacements[row.left]) / static_cast<double>(row.cells);
-        waves.insert(waves.end(), {-0.5 * stretch, 0.5 * stretch});
+    const std::vector<double> stretched = stretchedWaves(network, displacements);
+    std::size_t wave = 0;
+    for (std::size_t channel = 0; channel < stretched.size(); ++channel) {
+        for (std::int64_t k = 0; k < lengthOf(network, channel); ++k) {
+            moved.waves[wave++] += stretched[channel];
+        }
     }
-    for (const Stub& stub : network.stubs) {
-        waves.push_back(stub.kind == StubKind::spring ? -displacements[stub.node] : 0.0);
+    for (std::size_t node = 0; node < displacements.size(); ++node) {
+        moved.displacements[node] += displacements[node];
     }
-    return waves;
 }
 
 StillNetwork underConstantForces(const Network& network)

@@ -14,7 +14,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "network.hpp"
+#include "network_simulation.hpp"
 #include "signorini/simulation.hpp"
 
 namespace signorini {
@@ -40,16 +40,6 @@ struct HarmonicNetwork {
 /// \throws std::invalid_argument unless n is in 2..mostSteps, K in 1..n/2 and something is driven.
 void requireAsked(const HarmonicNetwork& given, std::int64_t mostSteps);
 
-/// What the distance of a contact grows by while nodes move by way(node): -u, u, or u_next - u.
-template <typename Way>
-[[nodiscard]] auto openingOf(const NetworkContact& contact, const Way& way)
-{
-    const auto here = way(contact.node);
-    return contact.kind == ContactKind::stopRight  ? -here
-           : contact.kind == ContactKind::stopLeft ? here
-                                                   : way(contact.node + 1) - here;
-}
-
 /// One motion; t = 0 is where contact begins.
 struct NetworkHarmonicMotion {
     std::size_t contact = 0;                  ///< the one that closes
@@ -69,15 +59,13 @@ struct NetworkHarmonicMotion {
     double residual = 0.0;
 };
 
-/// The waves of a network at rest whose nodes are displaced, one for each channel: rows and springs
-/// are stretched evenly.
-[[nodiscard]] std::vector<double> stretchedWaves(const Network& network,
-                                                 std::span<const double> displacements);
-
 /// A network that constant forces have displaced, and what moves on from there.
 struct StillNetwork {
     Network network;                    ///< without the forces, gaps under them
     std::vector<double> displacements;  ///< of the nodes, by the forces
+
+    /// Adds them, and the waves that go with them, to a state that moves about them. O(waves).
+    void addShape(NetworkStart& moved) const;
 };
 /// \throws std::invalid_argument if they pull at a bar that nothing holds.
 [[nodiscard]] StillNetwork underConstantForces(const Network& network);

@@ -26,9 +26,7 @@ double snapped(double value)
 double inPeriod(double t, double steps)
 {
     if (!std::isfinite(t)) {
-        Faults faults;
-        faults.add("t", t, "finite numbers [steps]");
-        faults.throwIfAny();
+        throwFault("t", t, "finite numbers [steps]");
     }
     const double rest = snapped(t - std::floor(t / steps) * steps);
     return rest >= steps ? 0.0 : std::max(rest, 0.0);
@@ -75,18 +73,14 @@ Motion::Motion(const State& state, const Schedule& schedule, std::span<const Seg
     validate(schedule);
     const SteppedBar bar = steppedBar(segments);
     requireCells(bar, schedule.cells);
-    Faults faults;
     if (steps_ >= maxKeptValues / cells_) {
-        faults.add("steps times cells", fmt::format("{} x {}", steps_, cells_),
+        throwFault("steps times cells", fmt::format("{} x {}", steps_, cells_),
                    fmt::format("less than {} to be kept", maxKeptValues));
     }
-    faults.throwIfAny();
     for (const Segment& segment : bar.segments) {
         speed_.insert(speed_.end(), static_cast<std::size_t>(segment.cells), segment.speed);
     }
-    Scene scene;
-    scene.segments = bar.segments;
-    const Network network = networkOf(scene, cells_, damping);
+    const Network network = networkOf(Stops{}, bar.segments, cells_, damping);
     NetworkWaves<double> waves(network, wavesOf(network, state));
     const NetworkLaw<double> held(network, 1);
     const NetworkLaw<double> open(network, 0);
@@ -165,9 +159,7 @@ Motion::Place Motion::placeOf(double x, double t) const
 {
     const double place = snapped(x);
     if (!(place >= 0.0 && place <= static_cast<double>(cells_))) {
-        Faults faults;
-        faults.add("x", x, fmt::format("numbers 0..{} [cells]", cells_));
-        faults.throwIfAny();
+        throwFault("x", x, fmt::format("numbers 0..{} [cells]", cells_));
     }
     const double now = inPeriod(t, static_cast<double>(steps_));
     Place at;

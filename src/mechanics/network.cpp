@@ -68,11 +68,6 @@ int Network::sign(std::size_t channel) const
 
 namespace {
 
-bool isImpedance(double value)
-{
-    return value >= 1.0 / mostImpedance && value <= mostImpedance;
-}
-
 void checkNumbers(const Network& network, Faults& faults)
 {
     if (!(network.strainLimit > 0.0)) {
@@ -233,11 +228,9 @@ std::vector<Cluster> clustersOf(const Network& network, ContactSet closed)
         cluster.lastNode = node;
         const int here = holds[node] + (network.nodes[node].isClamped ? 1 : 0);
         if (here > 1 || (here == 1 && cluster.held)) {
-            Faults faults;
-            faults.add("closed contacts", fmt::format("{:#x}", closed),
+            throwFault("closed contacts", fmt::format("{:#x}", closed),
                        "gaps that adjoin with one stop at most: how two share a push does not "
                        "follow from the waves");
-            faults.throwIfAny();
         }
         if (here == 1) {
             cluster.held = node;

@@ -88,6 +88,26 @@ struct NetworkContact {
     friend bool operator==(const NetworkContact&, const NetworkContact&) = default;
 };
 
+/// What the distance of a contact grows by while nodes move by way(node): -u, u, or u_next - u.
+template <typename Way>
+[[nodiscard]] auto openingOf(const NetworkContact& contact, const Way& way)
+{
+    const auto here = way(contact.node);
+    return contact.kind == ContactKind::stopRight  ? -here
+           : contact.kind == ContactKind::stopLeft ? here
+                                                   : way(contact.node + 1) - here;
+}
+
+/// Visits the node of a stop, or both of a gap: visit(node, sign), sign times its displacement
+/// being what the distance grows by.
+void forEachSide(const NetworkContact& contact, const auto& visit)
+{
+    visit(contact.node, contact.kind == ContactKind::stopLeft ? 1 : -1);
+    if (contact.kind == ContactKind::gap) {
+        visit(contact.node + 1, 1);
+    }
+}
+
 /// Nodes that are connected while all contacts are open.
 struct NetworkBar {
     std::size_t firstNode = 0;
@@ -380,7 +400,7 @@ struct SceneReference {
                                 const Damping& damping = {});
 /// The same of a bar whose stops are all that is known of them: |g| = 1, or L = 1 without a gap.
 [[nodiscard]] Network networkOf(const Stops& stops, const std::vector<Segment>& segments,
-                                std::int64_t cells, const Damping& damping);
+                                std::int64_t cells, const Damping& damping = {});
 
 }  // namespace signorini
 

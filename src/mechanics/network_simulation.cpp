@@ -1,18 +1,10 @@
 #include "network_simulation.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "infinity.hpp"
 
 namespace signorini {
-
-void NetworkSimulation::Sum::add(double term)
-{
-    const double sum = value + term;
-    lost += std::abs(value) >= std::abs(term) ? (value - sum) + term : (term - sum) + value;
-    value = sum;
-}
 
 const NetworkSimulation::Law& NetworkSimulation::lawOf(ContactSet closed)
 {
@@ -32,11 +24,11 @@ double NetworkSimulation::displacement(std::size_t node) const
 
 double NetworkSimulation::impulse() const
 {
-    Sum sum = impulse_;
+    CompensatedSum sum = impulse_;
     for (const Touch& touch : touches_) {
         sum.add(touch.push * (now_ - touch.since));
     }
-    return sum.total();
+    return sum.value();
 }
 
 double NetworkSimulation::distance(std::size_t contact) const
@@ -62,17 +54,8 @@ double NetworkSimulation::freshVelocity(std::size_t node) const
 
 double NetworkSimulation::closingSpeed(std::size_t contact) const
 {
-    const NetworkContact& place = network_.contacts[contact];
-    const double here = freshVelocity(place.node);
-    switch (place.kind) {
-        case ContactKind::stopRight:
-            return here;
-        case ContactKind::stopLeft:
-            return -here;
-        case ContactKind::gap:
-            return here - freshVelocity(place.node + 1);
-    }
-    return 0.0;
+    return -openingOf(network_.contacts[contact],
+                      [this](std::size_t node) { return freshVelocity(node); });
 }
 
 void NetworkSimulation::advance(double duration)
@@ -279,12 +262,8 @@ void NetworkSimulation::predict(std::size_t contact)
     double& due = due_[channels_.size() + contact];
     due = infinity;
     if (!contains(closed_, contact)) {
-        const NetworkContact& place = network_.contacts[contact];
-        const double here = nodes_[place.node].velocity;
-        const double speed = place.kind == ContactKind::stopRight ? here
-                             : place.kind == ContactKind::stopLeft
-                                 ? -here
-                                 : here - nodes_[place.node + 1].velocity;
+        const double speed = -openingOf(network_.contacts[contact],
+                                        [this](std::size_t node) { return velocity(node); });
         const double left = distance(contact);
         touches_[contact].isNear = left <= close_[contact];
         touches_[contact].nearest = std::min(touches_[contact].nearest, left);

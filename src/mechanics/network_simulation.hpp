@@ -13,10 +13,10 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
+#include "compensated_sum.hpp"
 #include "infinity.hpp"
 #include "network.hpp"
 
@@ -181,6 +181,18 @@ private:
         }
         void push(const Front& front);
         void pop();
+        /// visit(duration, value), in the order of arrival.
+        void forEachPiece(double time, auto visit) const
+        {
+            double begin = time;
+            double value = now;
+            for (std::size_t k = 0; k < count; ++k) {
+                visit(at(k).time - begin, value);
+                begin = at(k).time;
+                value = at(k).value;
+            }
+            visit(time + delay - begin, value);
+        }
     };
     struct Node {
         double velocity = 0.0;
@@ -202,12 +214,6 @@ private:
         double nearest = infinity;
         double pushed = 0.0;
         NetworkContactEvent event = {};
-    };
-    struct Sum {  ///< Neumaier
-        double value = 0.0;
-        double lost = 0.0;
-        void add(double term);
-        [[nodiscard]] double total() const { return value + lost; }
     };
     using Law = NetworkLaw<double>;
     /// First and last node that change at an instant.
@@ -271,10 +277,10 @@ private:
     std::int64_t events_ = 0;
     double startEnergy_ = 0.0;
     double startMomentum_ = 0.0;
-    Sum work_;
-    Sum dissipated_;
-    Sum given_;
-    Sum impulse_;
+    CompensatedSum work_;
+    CompensatedSum dissipated_;
+    CompensatedSum given_;
+    CompensatedSum impulse_;
     std::int64_t pressed_ = 0;
     double merged_ = 0.0;
     std::vector<NetworkContactEvent> done_;

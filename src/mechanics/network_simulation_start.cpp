@@ -3,6 +3,7 @@
 
 #include "faults.hpp"
 #include "infinity.hpp"
+#include "largest.hpp"
 #include "network_simulation.hpp"
 
 namespace signorini {
@@ -50,6 +51,15 @@ public:
     {
         return first_ + (isReversed_ ? size_ - 1 - order : order);
     }
+    /// Adds to the means of cells what arrives from one time to another.
+    void addMean(std::vector<double>& waves, double begin, double end, double value) const
+    {
+        for (auto order = static_cast<std::size_t>(begin);
+             order < size_ && static_cast<double>(order) < end; ++order) {
+            const auto from = static_cast<double>(order);
+            waves[at(order)] += (std::min(end, from + 1.0) - std::max(begin, from)) * value;
+        }
+    }
 
 private:
     std::size_t size_;
@@ -93,16 +103,32 @@ std::vector<double> meansOf(const Network& network, const NetworkStart& start)
         double begin = 0.0;
         for (const Piece& piece : start.pieces[k]) {
             const double end = begin + piece.duration;
-            for (auto order = static_cast<std::size_t>(begin);
-                 order < channel.size() && static_cast<double>(order) < end; ++order) {
-                const auto from = static_cast<double>(order);
-                waves[channel.at(order)] +=
-                    (std::min(end, from + 1.0) - std::max(begin, from)) * piece.value;
-            }
+            channel.addMean(waves, begin, end, piece.value);
             begin = end;
         }
     }
     return waves;
+}
+
+NetworkStart NetworkSimulation::state() const
+{
+    NetworkStart state{.waves = std::vector<double>(network_.waves(), 0.0), .displacements = {}};
+    for (std::size_t k = 0; k < channels_.size(); ++k) {
+        const ChannelWaves channel(network_, k);
+        double begin = 0.0;
+        std::vector<Piece>& pieces = state.pieces.emplace_back();
+        channels_[k].forEachPiece(now_, [&](double duration, double value) {
+            if (duration > 0.0) {
+                pieces.push_back({duration, value});
+            }
+            channel.addMean(state.waves, begin, begin + duration, value);
+            begin += duration;
+        });
+    }
+    for (std::size_t node = 0; node < nodes_.size(); ++node) {
+        state.displacements.push_back(displacement(node));
+    }
+    return state;
 }
 
 NetworkSimulation::NetworkSimulation(const Network& network, const NetworkStart& start,
@@ -146,27 +172,16 @@ NetworkSimulation::NetworkSimulation(const Network& network, const NetworkStart&
 
 void NetworkSimulation::setScale(const std::vector<std::vector<Piece>>& pieces)
 {
-    double speed = 0.0;
-    for (const std::vector<Piece>& channel : pieces) {
-        for (const Piece& piece : channel) {
-            speed = std::max(speed, std::abs(piece.value));
-        }
-    }
     double least = infinity;
     double most = 0.0;
     for (std::size_t k = 0; k < channels_.size(); ++k) {
         least = std::min(least, network_.impedanceOf(k));
         most = std::max(most, network_.impedanceOf(k));
     }
-    for (const NetworkNode& node : network_.nodes) {
-        speed = std::max(speed, std::abs(node.force) / least);
-    }
-    for (const double force : drive_.forces) {
-        speed = std::max(speed, std::abs(force) / least);
-    }
-    for (const double velocity : drive_.velocities) {
-        speed = std::max(speed, std::abs(velocity));
-    }
+    const double speed = std::max(
+        {largestOf(pieces, [](const auto& wave) { return largestSizeOf(wave, &Piece::value); }),
+         largestSizeOf(network_.nodes, &NetworkNode::force) / least,
+         largestSizeOf(drive_.forces) / least, largestSizeOf(drive_.velocities)});
     same_ = sameSize * static_cast<double>(network_.cells());
     together_ = fewRoundings * static_cast<double>(network_.cells());
     slow_ = sameSize * speed;
@@ -203,24 +218,19 @@ void NetworkSimulation::place(const std::vector<std::vector<Piece>>& pieces,
                         [this](std::size_t k) { return channels_[k].sign < 0.0; });
     }
     for (std::size_t j = 0; j < touches_.size(); ++j) {
-        const NetworkContact& contact = network_.contacts[j];
-        nodes_[contact.node].contacts.push_back(j);
-        nodes_[contact.node].path = options_.recordsPaths ? 1 : 0;
-        if (contact.kind == ContactKind::gap) {
-            nodes_[contact.node + 1].contacts.push_back(j);
-            nodes_[contact.node + 1].path = options_.recordsPaths ? 1 : 0;
-        }
+        forEachSide(network_.contacts[j], [&](std::size_t node, int) {
+            nodes_[node].contacts.push_back(j);
+            nodes_[node].path = options_.recordsPaths ? 1 : 0;
+        });
     }
     for (std::size_t j = 0; j < touches_.size(); ++j) {
         close_.push_back(slow_ + sameSize * std::abs(network_.contacts[j].gap));
         if (const double size =
                 close_[j] + sameSize * std::abs(displacement(network_.contacts[j].node));
             distance(j) < -1000.0 * size) {
-            Faults faults;
-            faults.add(fmt::format("distance of contact {} at the start", j + 1),
+            throwFault(fmt::format("distance of contact {} at the start", j + 1),
                        distance(j) * network_.scales.displacement, ">= 0 [m]",
                        "bars do not overlap: start at rest, or from a state");
-            faults.throwIfAny();
         }
     }
     if (!drive_.forces.empty() || !drive_.velocities.empty()) {

@@ -83,46 +83,28 @@ std::vector<double> displacementsOf(const Network& network, std::span<const doub
     return displacements;
 }
 
-namespace {
-
-/// Visits the pieces of a channel: duration and value, in the order of arrival.
-template <typename Channel, typename Visit>
-void forEachPiece(const Channel& channel, double now, Visit visit)
-{
-    double begin = now;
-    double value = channel.now;
-    for (std::size_t k = 0; k < channel.count; ++k) {
-        visit(channel.at(k).time - begin, value);
-        begin = channel.at(k).time;
-        value = channel.at(k).value;
-    }
-    visit(now + channel.delay - begin, value);
-}
-
-}  // namespace
-
 double NetworkSimulation::energy() const
 {
-    Sum sum;
+    CompensatedSum sum;
     for (const Channel& channel : channels_) {
-        forEachPiece(channel, now_, [&](double duration, double value) {
+        channel.forEachPiece(now_, [&](double duration, double value) {
             sum.add(channel.impedance * duration * value * value);
         });
     }
-    return sum.total();
+    return sum.value();
 }
 
 double NetworkSimulation::momentum() const
 {
-    Sum sum;
+    CompensatedSum sum;
     for (const Channel& channel : channels_) {
         if (channel.sign > 0.0) {  // not of springs
-            forEachPiece(channel, now_, [&](double duration, double value) {
+            channel.forEachPiece(now_, [&](double duration, double value) {
                 sum.add(channel.impedance * duration * value);
             });
         }
     }
-    return sum.total();
+    return sum.value();
 }
 
 std::size_t NetworkSimulation::fronts() const
@@ -137,8 +119,8 @@ std::size_t NetworkSimulation::fronts() const
 NetworkBalance NetworkSimulation::balance() const
 {
     NetworkBalance balance;
-    balance.work = work_.total();
-    balance.dissipated = dissipated_.total();
+    balance.work = work_.value();
+    balance.dissipated = dissipated_.value();
     for (const Node& node : nodes_) {
         balance.work += node.power * (now_ - node.since);
         balance.dissipated += node.loss * (now_ - node.since);
@@ -152,7 +134,7 @@ NetworkBalance NetworkSimulation::balance() const
 MomentumBalance NetworkSimulation::momentumBalance() const
 {
     MomentumBalance balance;
-    balance.given = given_.total();
+    balance.given = given_.value();
     for (const Node& node : nodes_) {
         balance.given += node.external * (now_ - node.since);
     }
@@ -189,40 +171,6 @@ std::vector<NetworkContactEvent> NetworkSimulation::contacts() const
         }
     }
     return all;
-}
-
-NetworkStart NetworkSimulation::state() const
-{
-    NetworkStart state{.waves = std::vector<double>(network_.waves(), 0.0), .displacements = {}};
-    const std::size_t rows = network_.rows.size();
-    for (std::size_t k = 0; k < channels_.size(); ++k) {
-        const bool isStub = k >= 2 * rows;
-        const auto size = static_cast<std::size_t>(lengthOf(network_, k));
-        const std::size_t first = isStub ? network_.firstWave(rows) + k - 2 * rows
-                                         : network_.firstWave(k / 2) + (k % 2) * size;
-        double begin = 0.0;
-        std::vector<Piece>& pieces = state.pieces.emplace_back();
-        forEachPiece(channels_[k], now_, [&](double duration, double value) {
-            if (duration > 0.0) {
-                pieces.push_back({duration, value});
-            }
-            const double end = begin + duration;
-            for (auto cell = static_cast<std::size_t>(begin); cell < size; ++cell) {
-                const auto left = static_cast<double>(cell);
-                const double part = std::min(end, left + 1.0) - std::max(begin, left);
-                if (!(part > 0.0)) {
-                    break;
-                }
-                const std::size_t at = k % 2 == 0 && !isStub ? size - 1 - cell : cell;
-                state.waves[first + at] += part * value;
-            }
-            begin = end;
-        });
-    }
-    for (std::size_t node = 0; node < nodes_.size(); ++node) {
-        state.displacements.push_back(displacement(node));
-    }
-    return state;
 }
 
 }  // namespace signorini

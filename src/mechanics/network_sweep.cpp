@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "excited_amplitude.hpp"
-#include "excited_names.hpp"
 #include "infinity.hpp"
+#include "largest.hpp"
 #include "network_watched.hpp"
 #include "sweep_point.hpp"
 
@@ -34,11 +34,9 @@ HarmonicDrive harmonicDrive(const Network& network, Excited place, double amplit
     const double exact = 2.0 * std::numbers::pi / omega;
     const double steps = std::round(exact);
     if (!(steps >= 3.0 && steps <= static_cast<double>(maxExcitationSteps))) {
-        Faults faults;
-        faults.add("frequency", omega / (2.0 * std::numbers::pi) / network.scales.time,
+        throwFault("frequency", omega / (2.0 * std::numbers::pi) / network.scales.time,
                    fmt::format("periods of 3..{} steps of {:.6g} s [Hz]", maxExcitationSteps,
                                network.scales.time));
-        faults.throwIfAny();
     }
     const bool isWhole = std::abs(exact - steps) <= 1e-9 * exact;
     HarmonicDrive harmonic;
@@ -142,16 +140,9 @@ public:
 private:
     [[nodiscard]] double mergeBelow(const Waves& waves) const
     {
-        double size = 0.0;
-        for (const Piece& piece : waves.a) {
-            size = std::max(size, std::abs(piece.value));
-        }
-        for (const auto* values : {&drive_.drive.forces, &drive_.drive.velocities}) {
-            for (const double one : *values) {
-                size = std::max(size, std::abs(one));
-            }
-        }
-        return 1e-11 * size;
+        return 1e-11 *
+               std::max({largestSizeOf(waves.a, &Piece::value), largestSizeOf(drive_.drive.forces),
+                         largestSizeOf(drive_.drive.velocities)});
     }
 
     /// A period, resolution by resolution. \return what all contacts pushed in it.

@@ -67,10 +67,7 @@ double WatchedNetwork::clearance(double duration) const
     next.advance(duration);
     double room = infinity;
     for (std::size_t j = 0; j < network.contacts.size(); ++j) {
-        const NetworkContact& contact = network.contacts[j];
-        double compliance = complianceAt(network, contact.node);
-        compliance +=
-            contact.kind == ContactKind::gap ? complianceAt(network, contact.node + 1) : 0.0;
+        const double compliance = complianceOf(network, network.contacts[j]);
         room = std::min(room, next.nearest(j) / std::sqrt(2.0 * compliance));
     }
     return room;

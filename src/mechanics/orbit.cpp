@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
 
 #include "faults.hpp"
 #include "propagation.hpp"
@@ -115,9 +114,7 @@ bool isSameOrbit(const State& first, const State& second, const Schedule& schedu
                  double tolerance)
 {
     if (!(std::isfinite(tolerance) && tolerance >= 0.0)) {
-        Faults faults;
-        faults.add("tolerance", tolerance, "finite numbers >= 0");
-        faults.throwIfAny();
+        throwFault("tolerance", tolerance, "finite numbers >= 0");
     }
     const Schedule folded = foldedFor(first, schedule);
     (void)foldedFor(second, schedule);

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -172,10 +171,7 @@ SceneReference referenceOf(const Network& network)
         reference.damping = damped ? std::optional(damped->imag() / damped->real()) : std::nullopt;
     }
     const NetworkContact& contact = network.contacts.front();
-    double compliance = complianceAt(network, contact.node);
-    if (contact.kind == ContactKind::gap) {
-        compliance += complianceAt(network, contact.node + 1);
-    }
+    const double compliance = complianceOf(network, contact);
     if (std::isfinite(compliance)) {
         const NetworkScales& scales = network.scales;
         const double gap = contact.gap * scales.displacement;

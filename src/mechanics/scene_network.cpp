@@ -1,6 +1,4 @@
-#include <algorithm>
 
-#include "faults.hpp"
 #include "network.hpp"
 #include "stepped_bar.hpp"
 

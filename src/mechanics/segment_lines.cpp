@@ -1,7 +1,6 @@
 #include "segment_lines.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "faults.hpp"
@@ -46,10 +45,8 @@ SegmentLines::SegmentLines(const SteppedBar& bar, const Waves& start, double mer
     : joints_(bar.joints), crossing_(start.crossing)
 {
     if (crossing_ != static_cast<double>(bar.cells)) {
-        Faults faults;
-        faults.add("crossing of the start", crossing_,
+        throwFault("crossing of the start", crossing_,
                    fmt::format("{}, the cells of all segments", bar.cells));
-        faults.throwIfAny();
     }
     for (const Segment& segment : bar.segments) {
         lines_.push_back(

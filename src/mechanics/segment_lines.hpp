@@ -2,7 +2,6 @@
 /// \file
 /// The waves of a bar of several segments off any grid: two queues of pieces for each segment.
 
-#include <cstdint>
 #include <vector>
 
 #include "signorini/simulation.hpp"

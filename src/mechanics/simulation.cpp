@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "compensated_sum.hpp"
 #include "faults.hpp"
 #include "infinity.hpp"
+#include "largest.hpp"
 #include "segment_lines.hpp"
 
 namespace signorini {
@@ -48,12 +48,8 @@ void requireWaves(const Waves& waves)
 /// The largest wave at the start, or that the excitation sends [g/L].
 double largestWave(const Waves& start, const Excitation& excitation)
 {
-    double most = 0.0;
-    for (const auto* wave : {&start.a, &start.b}) {
-        for (const Piece& piece : *wave) {
-            most = std::max(most, std::abs(piece.value));
-        }
-    }
+    double most =
+        std::max(largestSizeOf(start.a, &Piece::value), largestSizeOf(start.b, &Piece::value));
     for (std::int64_t m = 0; m < excitation.steps(); ++m) {
         most =
             std::max({most, std::abs(excitation.force(m)), std::abs(excitation.baseVelocity(m))});
@@ -159,12 +155,10 @@ BarSimulation::BarSimulation(const Waves& start, const Damping& damping, Excitat
     const double roomBehind = way_ / crossing_ - room;
     const double same = atWall * reachOf(start, excitation_, stops_);
     if (room < -same || roomBehind < -same) {
-        Faults faults;
-        faults.add("start: u(L)/g", stops_.right - room,
+        throwFault("start: u(L)/g", stops_.right - room,
                    room < 0.0 ? fmt::format("at most {}, the wall", stops_.right)
                               : fmt::format("at least {}, the second stop",
                                             stops_.right - way_ / crossing_));
-        faults.throwIfAny();
     }
     if (room <= same) {
         hold(Stop::right, 0.0);
@@ -395,9 +389,7 @@ void BarSimulation::send(double q, double lasts)
 void BarSimulation::advance(double duration)
 {
     if (!(duration >= 0.0 && std::isfinite(duration))) {
-        Faults faults;
-        faults.add("duration", duration, "finite and >= 0");
-        faults.throwIfAny();
+        throwFault("duration", duration, "finite and >= 0");
     }
     owed_ += duration;
     while (owed_ > same_) {

@@ -5,6 +5,7 @@
 
 #include "faults.hpp"
 #include "infinity.hpp"
+#include "network_simulation.hpp"
 
 namespace signorini {
 
@@ -97,6 +98,8 @@ void addShapeUnder(Network& network, std::size_t bar, std::span<const double> fo
     }
 }
 
+namespace {
+
 double complianceAt(const Network& network, std::size_t node)
 {
     const std::vector<double> ground = groundOf(network);
@@ -116,6 +119,15 @@ double complianceAt(const Network& network, std::size_t node)
     return 1.0 / (fromLeft + fromRight + ground[node]);
 }
 
+}  // namespace
+
+double complianceOf(const Network& network, const NetworkContact& contact)
+{
+    double sum = 0.0;
+    forEachSide(contact, [&](std::size_t node, int) { sum += complianceAt(network, node); });
+    return sum;
+}
+
 namespace {
 
 /// Displacements and pushes where certain contacts are closed; empty if they do not follow.
@@ -129,11 +141,9 @@ Eigen::VectorXd directionOf(const Network& network, const NetworkContact& contac
 {
     Eigen::VectorXd direction =
         Eigen::VectorXd::Zero(static_cast<Eigen::Index>(network.nodes.size()));
-    const auto node = static_cast<Eigen::Index>(contact.node);
-    direction[node] = contact.kind == ContactKind::stopLeft ? -1.0 : 1.0;
-    if (contact.kind == ContactKind::gap) {
-        direction[node + 1] = -1.0;
-    }
+    forEachSide(contact, [&direction](std::size_t node, int sign) {
+        direction[static_cast<Eigen::Index>(node)] = -sign;
+    });
     return direction;
 }
 
@@ -233,43 +243,44 @@ bool isAtRest(const Network& network, ContactSet closed, const Balance& balance)
 
 }  // namespace
 
+std::vector<double> stretchedWaves(const Network& network, std::span<const double> displacements)
+{
+    std::vector<double> waves;
+    for (const CellRow& row : network.rows) {
+        const double stretch =
+            (displacements[row.right] - displacements[row.left]) / static_cast<double>(row.cells);
+        waves.insert(waves.end(), {-0.5 * stretch, 0.5 * stretch});
+    }
+    for (const Stub& stub : network.stubs) {
+        waves.push_back(stub.kind == StubKind::spring ? -displacements[stub.node] : 0.0);
+    }
+    return waves;
+}
+
 Rest restOf(const Network& network)
 {
-    Faults faults;
     if (network.contacts.size() > mostRestContacts) {
-        faults.add("contacts of a scene at rest", network.contacts.size(),
+        throwFault("contacts of a scene at rest", network.contacts.size(),
                    fmt::format("at most {}", mostRestContacts), "start it with --velocity");
-        faults.throwIfAny();
     }
     for (ContactSet closed = 0; closed < ContactSet{1} << network.contacts.size(); ++closed) {
         const auto balance = balanceOf(network, closed);
         if (!balance || !isAtRest(network, closed, *balance)) {
             continue;
         }
-        Rest rest{.waves = std::vector<double>(network.waves(), 0.0), .displacements = {}};
-        rest.displacements.assign(balance->displacements.begin(), balance->displacements.end());
-        for (std::size_t k = 0; k < network.rows.size(); ++k) {
-            const CellRow& row = network.rows[k];
-            const auto size = static_cast<std::size_t>(row.cells);
-            const std::size_t first = network.firstWave(k);
-            const double half = 0.5 *
-                                (rest.displacements[row.right] - rest.displacements[row.left]) /
-                                static_cast<double>(row.cells);
-            std::fill_n(rest.waves.begin() + static_cast<std::ptrdiff_t>(first), size, -half);
-            std::fill_n(rest.waves.begin() + static_cast<std::ptrdiff_t>(first + size), size, half);
+        Rest rest{.waves = {},
+                  .displacements = {balance->displacements.begin(), balance->displacements.end()},
+                  .closed = closed};
+        const std::vector<double> stretched = stretchedWaves(network, rest.displacements);
+        for (std::size_t channel = 0; channel < stretched.size(); ++channel) {
+            rest.waves.insert(rest.waves.end(),
+                              static_cast<std::size_t>(lengthOf(network, channel)),
+                              stretched[channel]);
         }
-        for (std::size_t k = 0; k < network.stubs.size(); ++k) {
-            const Stub& stub = network.stubs[k];
-            rest.waves[network.firstWave(network.rows.size()) + k] =
-                stub.kind == StubKind::spring ? -rest.displacements[stub.node] : 0.0;
-        }
-        rest.closed = closed;
         return rest;
     }
-    faults.add("constant forces", "those of the scene", "what contacts can hold at rest",
+    throwFault("constant forces", "those of the scene", "what contacts can hold at rest",
                "start it with --velocity");
-    faults.throwIfAny();
-    throw std::logic_error("a fault was added");
 }
 
 }  // namespace signorini

@@ -24,8 +24,14 @@ namespace signorini {
 void addShapeUnder(Network& network, std::size_t bar, std::span<const double> forces,
                    std::optional<std::size_t> support);
 
-/// u/F at a node, contacts open; infinite where its bar drifts. O(nodes).
-[[nodiscard]] double complianceAt(const Network& network, std::size_t node);
+/// By how much a force of 1 at a contact opens it, all contacts being open; infinite where a bar
+/// drifts. O(nodes).
+[[nodiscard]] double complianceOf(const Network& network, const NetworkContact& contact);
+
+/// The waves of a network at rest whose nodes are displaced, one for each channel: rows and springs
+/// are stretched evenly.
+[[nodiscard]] std::vector<double> stretchedWaves(const Network& network,
+                                                 std::span<const double> displacements);
 
 /// The waves of a network at rest under its constant forces: contacts push or are open. A bar that
 /// drifts and that nothing presses stays at displacement 0.

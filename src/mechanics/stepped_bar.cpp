@@ -4,13 +4,11 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
-#include <stdexcept>
 #include <string>
 
 #include "echo.hpp"
 #include "faults.hpp"
 #include "network.hpp"
-#include "one_material.hpp"
 #include "signorini/motion.hpp"
 #include "signorini/schedule.hpp"
 #include "signorini/simulation.hpp"
@@ -87,9 +85,6 @@ SteppedBar steppedBar(std::span<const Segment> segments)
     faults.requireWhole("number of segments", static_cast<std::int64_t>(segments.size()), maxCells);
     faults.throwIfAny();
     const std::string positive = fmt::format("{}..{} [-]", 1.0 / mostImpedance, mostImpedance);
-    const auto isWithin = [](double value) {
-        return value >= 1.0 / mostImpedance && value <= mostImpedance;
-    };
     SteppedBar bar;
     for (std::size_t i = 0; i < segments.size(); ++i) {
         Segment segment = segments[i];
@@ -98,10 +93,10 @@ SteppedBar steppedBar(std::span<const Segment> segments)
         segment.impedance /= segments.front().impedance;
         segment.speed /= segments.front().speed;
         segment.dashpot /= segments.front().impedance;
-        if (!isWithin(segment.impedance)) {
+        if (!isImpedance(segment.impedance)) {
             faults.add("impedance" + which, segments[i].impedance, positive + " times the first");
         }
-        if (!isWithin(segment.speed)) {
+        if (!isImpedance(segment.speed)) {
             faults.add("speed" + which, segments[i].speed, positive + " times the first");
         }
         const bool isLast = i + 1 == segments.size();
@@ -125,9 +120,7 @@ SteppedBar steppedBar(std::span<const Segment> segments)
 void requireCells(const SteppedBar& bar, std::int64_t cells)
 {
     if (bar.cells != cells) {
-        Faults faults;
-        faults.add("cells of all segments", bar.cells, fmt::format("{}, N", cells));
-        faults.throwIfAny();
+        throwFault("cells of all segments", bar.cells, fmt::format("{}, N", cells));
     }
 }
 
@@ -148,10 +141,7 @@ Bar firstMaterial(const Scene& scene)
 Bar unitsOfBar(const Scene& scene)
 {
     Bar bar = firstMaterial(scene);
-    const auto isFirst = [&scene](const Segment& segment) {
-        return segment.speed == scene.segments.front().speed;
-    };
-    if (!std::all_of(scene.segments.begin(), scene.segments.end(), isFirst)) {
+    if (!haveOneSpeed(scene.segments)) {
         bar.young.reset();
     }
     return bar;

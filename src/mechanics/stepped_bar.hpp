@@ -59,6 +59,12 @@ struct SteppedBar {
 /// Widest range of impedances and dashpots, relative to the first segment.
 inline constexpr double mostImpedance = 1e9;
 
+/// 1/mostImpedance..mostImpedance, for speeds, too.
+[[nodiscard]] constexpr bool isImpedance(double value)
+{
+    return value >= 1.0 / mostImpedance && value <= mostImpedance;
+}
+
 /// \throws std::invalid_argument unless there are segments of at least one cell each, with
 /// impedances and speeds in 1/mostImpedance..mostImpedance, dashpots in 0..mostImpedance and none
 /// after the last segment, and no more than maxCells cells.
@@ -70,6 +76,10 @@ void requireCells(const SteppedBar& bar, std::int64_t cells);
 /// A uniform bar of the first material with the same travel time: its scales are those of the
 /// scene. \pre a valid scene.
 [[nodiscard]] Bar firstMaterial(const Scene& scene);
+
+/// The same, with Young's modulus only if it is that of all segments: where waves are as fast in
+/// all of them, they are of one material and of different cross-sections.
+[[nodiscard]] Bar unitsOfBar(const Scene& scene);
 
 /// Is a bar of these segments the uniform one: are all alike, without dashpots?
 [[nodiscard]] bool isUniform(std::span<const Segment> segments);

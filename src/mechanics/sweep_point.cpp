@@ -1,7 +1,6 @@
 #include "sweep_point.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <deque>
 
 namespace signorini {

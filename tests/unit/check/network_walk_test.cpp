@@ -140,7 +140,7 @@ TEST_CASE("network walk: it does what the law of the network says, pushes includ
         double pull = 0.0;
         std::vector<double> impulses(scene.contacts.size(), 0.0);
         for (int part = 0; part < 5; ++part) {
-            const ContactSteps steps{draw.closedSet(scene), draw.whole(1, 6)};
+            const ContactSpan steps{draw.closedSet(scene), draw.whole(1, 6)};
             claim.schedule.push_back(steps);
             const NetworkLaw<double> law(scene, steps.closed);
             for (std::int64_t k = 0; k < steps.steps; ++k) {

@@ -1,11 +1,10 @@
 // The response of bars of several segments.
 
-#include "stepped_response.hpp"
-
 #include <cmath>
 #include <numbers>
 
 #include "catch.hpp"
+#include "contact_response.hpp"
 #include "growing_bar.hpp"
 #include "stepped_forced_oracle.hpp"
 
