@@ -19,14 +19,14 @@ struct SeenInBars {
 };
 using SimulatedBars = With<SceneSimulationAnswer, SeenInBars>;
 
-NetworkStart startOf(const Asked& asked, const Network& network)
+NetworkStart startOf(const Asked& asked, const Network& network, double base)
 {
     if (const auto file = asked.maybe<std::string>("start")) {
         return readStateTable(*file, network);
     }
     const py::object given = asked.object("velocity");
     if (given.is_none()) {
-        return startAtRest(network);
+        return startAtRest(network, base);
     }
     std::vector<double> speeds;
     for (const py::handle& speed : given) {
@@ -49,7 +49,7 @@ SimulatedBars simulateBars(const Asked& asked)
     }
     const double duration = answers::durationOf(network, drive, asked.maybe<double>("time"),
                                                 asked.maybe<std::int64_t>("periods"));
-    const NetworkStart start = startOf(asked, network);
+    const NetworkStart start = startOf(asked, network, drive.moved.base);
     const bool recordsPaths = asked.get<bool>("tip");
     return patiently(
         [=](const Wires& wires) {

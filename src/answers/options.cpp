@@ -92,6 +92,9 @@ std::string inOptions(const std::string& message, unsigned questions,
             return fmt::format("{}{}{}{}{}{}", option.name, is, text, verdict,
                                allowedOf(option, allowed, text, value), rest);
         }
+        if (text.empty() && !option.field.empty()) {  // what holds without it
+            return fmt::format("{}{}{}{}{}{}", option.name, is, value, verdict, allowed, rest);
+        }
     }
     return message.substr(0, next) + rest;
 }

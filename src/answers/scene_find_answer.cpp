@@ -68,7 +68,7 @@ SceneStrains strainsOf(const Assembly& assembly, const NetworkScales& scales, do
                        double most)
 {
     const double unit = strainUnit(assembly, scales);
-    SceneStrains strains{-least * unit, most * unit};
+    SceneStrains strains{0.0 - least * unit, 0.0 + most * unit};  // no -0
     if (const auto modulus = modulusOf(assembly)) {
         strains.stress = *modulus * strains.largest();
     }

@@ -1,6 +1,6 @@
 // Strain anywhere in a network under a harmonic: what has come in at one end of a row meets what
 // came in at the other, once in each cell and once between two cells, all times of a step with all
-// times.
+// times. Where steps are long, cells and steps are cut in parts.
 
 #include <algorithm>
 
@@ -12,7 +12,13 @@ namespace signorini {
 
 namespace {
 
-/// What arrives in a part of each step, channel by channel.
+/// Into how many a step is cut, so that a period has about a thousand.
+std::int64_t cutsOf(const HarmonicNetwork& given)
+{
+    return std::max<std::int64_t>(1, 1000 / given.steps);
+}
+
+/// What arrives in a part of each step, channel by channel, cut by cut; nothing in other cuts.
 struct StepPart {
     double from;
     double to;
@@ -41,26 +47,28 @@ public:
         left_ = right_ + 1;
         const std::vector<HarmonicBounds> right = wholeSteps(right_);
         const std::vector<HarmonicBounds> left = wholeSteps(left_);
-        const std::int64_t n = given_.steps;
+        const std::int64_t n = steps();
+        const std::int64_t all = row_->cells * cuts_;
         // Without weight all cells are the same, and the motion comes back after n steps.
-        const std::int64_t cells =
-            given_.network.gravity == 0.0 ? std::min(row_->cells, n) : row_->cells;
+        const std::int64_t cells = given_.network.gravity == 0.0 ? std::min(all, n) : all;
         for (std::int64_t k = 0; k < cells; ++k) {
-            const HarmonicBounds* from = right.data() + (row_->cells - 1 - k) % n;
+            const HarmonicBounds* from = right.data() + (all - 1 - k) % n;
             const HarmonicBounds* to = left.data() + k % n;
             HarmonicBounds seen{infinity, -infinity};
             for (std::int64_t m = 0; m < n; ++m) {
                 widen(seen, to[m], from[m]);
-                if (k + 1 < row_->cells) {
+                if (k + 1 < all) {
                     widen(seen, to[m + 1], from[m]);
                 }
             }
-            enter(seen, k);
+            enter(seen, k / cuts_);
         }
         stretchEnds();
     }
 
 private:
+    [[nodiscard]] std::int64_t steps() const { return given_.steps * cuts_; }
+
     /// What enters does so after what arrived.
     void stretchEnds()
     {
@@ -68,8 +76,8 @@ private:
         HarmonicBounds atRight = atLeft;
         for (const StepPart& l : parts_) {
             for (const StepPart& r : parts_) {
-                for (std::int64_t m = 0; m < given_.steps; ++m) {
-                    const std::int64_t later = m + row_->cells;
+                for (std::int64_t m = 0; m < steps(); ++m) {
+                    const std::int64_t later = m + row_->cells * cuts_;
                     if (l.from <= r.from) {
                         widen(atRight, at(l.of[left_], later), at(r.of[right_], m));
                     }
@@ -100,7 +108,7 @@ private:
     [[nodiscard]] const HarmonicBounds& at(const std::vector<HarmonicBounds>& of,
                                            std::int64_t m) const
     {
-        return of[static_cast<std::size_t>(m % given_.steps)];
+        return of[static_cast<std::size_t>(m % steps())];
     }
 
     /// What was seen in cell k.
@@ -114,6 +122,7 @@ private:
     }
 
     const HarmonicNetwork& given_;
+    std::int64_t cuts_ = cutsOf(given_);
     std::span<const double> displaced_;
     const std::vector<StepPart>& parts_;
     NetworkHarmonicMotion& motion_;
@@ -127,6 +136,7 @@ private:
 void measureStrains(const HarmonicNetwork& given, std::span<const double> displaced,
                     NetworkHarmonicMotion& motion)
 {
+    const std::int64_t cuts = cutsOf(given);
     std::vector<StepPart> parts;
     NetworkHarmonicMotion walked = motion;
     const auto keep = [&](std::span<const std::complex<double>> arriving, double from, double to) {
@@ -136,9 +146,17 @@ void measureStrains(const HarmonicNetwork& given, std::span<const double> displa
             part = parts.insert(part, {from, to, {}});
             part->of.resize(arriving.size());
         }
-        for (std::size_t channel = 0; channel < arriving.size(); ++channel) {
-            part->of[channel].push_back(
-                boundsOf(arriving[channel], given.omega() * from, given.omega() * to));
+        for (std::int64_t cut = 0; cut < cuts; ++cut) {
+            const double begin =
+                std::max(from, static_cast<double>(cut) / static_cast<double>(cuts));
+            const double end =
+                std::min(to, static_cast<double>(cut + 1) / static_cast<double>(cuts));
+            for (std::size_t channel = 0; channel < arriving.size(); ++channel) {
+                part->of[channel].push_back(
+                    begin < end || cuts == 1
+                        ? boundsOf(arriving[channel], given.omega() * begin, given.omega() * end)
+                        : HarmonicBounds{infinity, -infinity});
+            }
         }
     };
     measure(given, walked, {.arrivals = keep});

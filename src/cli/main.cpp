@@ -201,8 +201,12 @@ std::string helpText()
            "hang-up,\n130 Ctrl-C, 143 SIGTERM.\n";
 }
 
-int run(const std::vector<std::string>& words)
+int run(std::vector<std::string> words)
 {
+    if (!words.empty() && words.front() == "help") {  // what newcomers type first
+        words.erase(words.begin());
+        words.emplace_back("--help");
+    }
     const std::string first = words.empty() ? "" : words.front();
     if (first == "--version" || first == "--help" || first == "-h") {
         writeOut(first == "--version" ? versionText() : helpText());

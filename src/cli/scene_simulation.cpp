@@ -82,14 +82,14 @@ Question questionOf(const SimulateCommand& command)
     return question;
 }
 
-NetworkStart startOf(const SimulateCommand& command, const Network& network)
+NetworkStart startOf(const SimulateCommand& command, const Network& network, double base)
 {
     if (!command.given.text("--from").empty()) {
         const std::string path = command.given.text("--from");
         return forFile("--from", path, [&] { return readStateTable(path, network); });
     }
     if (command.speeds.empty()) {
-        return startAtRest(network);
+        return startAtRest(network, base);
     }
     std::vector<double> speeds = command.speeds;
     for (double& speed : speeds) {
@@ -178,7 +178,7 @@ ExitStatus simulateScene(const SimulateCommand& command)
     }
     const Question question = questionOf(command);
     Outputs outputs(command.given, {"--events", "--statistics", "--tip", "--figure", "--state"});
-    const NetworkStart start = startOf(command, question.network);
+    const NetworkStart start = startOf(command, question.network, question.drive.moved.base);
     NetworkSimulation simulation =
         answers::simulationOf(question.network, start, question.drive,
                               command.given.has("--tip") || command.given.has("--figure"));

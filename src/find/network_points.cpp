@@ -25,6 +25,17 @@ Eigen::VectorXd between(const Eigen::VectorXd& low, const Eigen::VectorXd& high,
     return low + (rise > 0.0 ? rise / (slope + root) : 0.0) * way;
 }
 
+/// That of waves which are everywhere as large as the limit on strain; infinite without.
+double energyWithin(const Network& network)
+{
+    double energy = 0.0;
+    for (const CellRow& row : network.rows) {
+        const double wave = network.strainLimit * row.speed;
+        energy += row.impedance * static_cast<double>(row.cells) * wave * wave;
+    }
+    return energy;
+}
+
 }  // namespace
 
 NetworkPoints::NetworkPoints(const NetworkBlocks& blocks, const FindOptions& options)
@@ -268,15 +279,23 @@ NetworkPoint NetworkPoints::ofMostEnergy(double beyond)
     }
     const Eigen::VectorXd made = steadyCoordinates(blocks_, *kernel_);
     double enough = infinity;
-    if (blocks_.network().strainLimit < infinity) {
-        enough = beyond;
+    const double limited = energyWithin(blocks_.network());
+    if (limited < infinity) {  // its conditions are added where they are broken
+        constexpr double spare = 1e6;
+        enough = spare * (limited + made.squaredNorm());
     }
     most = climbed(made, std::sqrt(enough), enough);
-    if (most.isUnbounded || (most.z.size() > 0 && most.z.squaredNorm() >= beyond * (1.0 - 1e-6))) {
-        most.detail = "the energies of the schedule seem to have no bound, and no motion the most";
-    }
     if (!most.detail.empty()) {
         return most;
+    }
+    const double found = most.z.squaredNorm();
+    constexpr double rounding = 1e-18;
+    if (most.isUnbounded || found >= std::min(beyond, enough) * (1.0 - 1e-6)) {
+        most.detail = "the energies of the schedule seem to have no bound, and no motion the most";
+        return most;
+    }
+    if (found <= rounding * std::min(limited, 1.0)) {
+        most.z.setZero();  // rest
     }
     most.z -= made;
     return most;

@@ -346,9 +346,7 @@ void validate(const Assembly& assembly)
     faults.requirePositive("length", assembly.length, "m");
     faults.requirePositive("wave speed", assembly.waveSpeed, "m/s");
     faults.requirePositive("axial stiffness", assembly.axialStiffness, "N");
-    if (!std::isfinite(assembly.gravity)) {
-        faults.add("gravity", assembly.gravity, "finite [m/s^2]");
-    }
+    requireWeight(faults, assembly.gravity, assembly.length, assembly.waveSpeed);
     if (assembly.young) {
         faults.requirePositive("Young's modulus", *assembly.young, "Pa");
     }

@@ -7,6 +7,7 @@
 #include "faults.hpp"
 #include "infinity.hpp"
 #include "signorini/schedule.hpp"
+#include "stepped_bar.hpp"
 
 namespace signorini {
 
@@ -107,15 +108,26 @@ void validate(const Scene& scene)
     faults.throwIfAny();
 }
 
+void requireWeight(Faults& faults, double gravity, double length, double waveSpeed)
+{
+    constexpr double most = 1e6;  // of strains by weight
+    const double unit = waveSpeed / length * waveSpeed;
+    if (!(std::abs(gravity) <= most * unit)) {
+        faults.add("gravity", gravity,
+                   fmt::format("finite, at most {:.6g} [m/s^2] in size", most * unit));
+    }
+}
+
 Scene aboutRest(const Scene& scene, double gravity)
 {
     const double time = scene.bar.length / scene.bar.waveSpeed;
+    Faults weight;
+    requireWeight(weight, gravity, scene.bar.length, scene.bar.waveSpeed);
+    weight.throwIfAny();
     const double least = scene.secondStop ? -2.0 * *scene.secondStop / (time * time) : -infinity;
-    if (!std::isfinite(gravity) || gravity <= least) {
-        Faults faults;
-        faults.add("gravity", gravity,
+    if (gravity <= least) {
+        throwFault("gravity", gravity,
                    fmt::format("finite and > {} [m/s^2]: the tip rests at no second stop", least));
-        faults.throwIfAny();
     }
     const double sag = 0.5 * gravity * time * time;
     Scene sagged = scene;

@@ -46,15 +46,13 @@ void StillNetwork::addShape(NetworkStart& moved) const
     }
 }
 
-StillNetwork underConstantForces(const Network& network)
+namespace {
+
+/// Displaced by forces on nodes, and by a base that stands elsewhere.
+StillNetwork displaced(const Network& network, const std::vector<double>& forces, double base)
 {
     StillNetwork still{network, {}};
     Network shape = network;
-    std::vector<double> forces;
-    for (NetworkNode& node : still.network.nodes) {
-        forces.push_back(node.force);
-        node.force = 0.0;
-    }
     for (std::size_t bar = 0; bar < network.bars.size(); ++bar) {
         const NetworkBar& one = network.bars[bar];
         const auto first = forces.begin() + static_cast<std::ptrdiff_t>(one.firstNode);
@@ -68,7 +66,9 @@ StillNetwork underConstantForces(const Network& network)
         addShapeUnder(shape, bar, forces, std::nullopt);
     }
     for (std::size_t node = 0; node < network.nodes.size(); ++node) {
-        still.displacements.push_back(shape.nodes[node].rest - network.nodes[node].rest);
+        still.displacements.push_back(network.nodes[node].isShaken
+                                          ? base
+                                          : shape.nodes[node].rest - network.nodes[node].rest);
     }
     constexpr double rounding = 1e-14;
     for (NetworkContact& contact : still.network.contacts) {
@@ -79,6 +79,32 @@ StillNetwork underConstantForces(const Network& network)
         contact.gap = std::abs(contact.gap) <= rounding * size ? 0.0 : contact.gap;
     }
     return still;
+}
+
+}  // namespace
+
+StillNetwork underConstantForces(const Network& network)
+{
+    std::vector<double> forces;
+    for (const NetworkNode& node : network.nodes) {
+        forces.push_back(node.force);
+    }
+    StillNetwork still = displaced(network, forces, 0.0);
+    for (NetworkNode& node : still.network.nodes) {
+        node.force = 0.0;
+    }
+    return still;
+}
+
+StillNetwork underMovedBase(const Network& network, double base)
+{
+    std::vector<double> forces(network.nodes.size(), 0.0);
+    for (const CellRow& row : network.rows) {
+        const double force = base * row.impedance / static_cast<double>(row.cells);
+        forces[row.right] += network.nodes[row.left].isShaken ? force : 0.0;
+        forces[row.left] += network.nodes[row.right].isShaken ? force : 0.0;
+    }
+    return displaced(network, forces, base);
 }
 
 }  // namespace signorini

@@ -69,5 +69,7 @@ struct StillNetwork {
 };
 /// \throws std::invalid_argument if they pull at a bar that nothing holds.
 [[nodiscard]] StillNetwork underConstantForces(const Network& network);
+/// The same by a base, all shaken clamps, that stands elsewhere [delta]; forces stay.
+[[nodiscard]] StillNetwork underMovedBase(const Network& network, double base);
 
 }  // namespace signorini

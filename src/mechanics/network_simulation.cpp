@@ -111,6 +111,10 @@ void NetworkSimulation::takeClock()
     };
     force_ = valueOf(drive_.forces);
     baseVelocity_ = valueOf(drive_.velocities);
+    if (const auto steps = static_cast<std::int64_t>(drive_.velocities.size());
+        driveStep_ < steps) {
+        baseVelocity_ += drive_.lead / (static_cast<double>(steps) * drive_.step);
+    }
     ++driveStep_;
     due_.back() = static_cast<double>(driveStep_) * drive_.step - drive_.past - base_;
 }

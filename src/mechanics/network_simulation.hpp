@@ -45,8 +45,9 @@ struct NetworkStart {
 /// \throws std::invalid_argument on pieces that do not fill their channels.
 [[nodiscard]] std::vector<double> meansOf(const Network& network, const NetworkStart& start);
 
-/// At rest under its constant forces. \throws as restOf.
-[[nodiscard]] NetworkStart startAtRest(const Network& network);
+/// At rest under its constant forces, its shaken clamps standing at `base` [delta]. \throws as
+/// restOf.
+[[nodiscard]] NetworkStart startAtRest(const Network& network, double base = 0.0);
 
 /// Not strained, every bar with its own speed. Under weight that is not the shape at rest.
 /// \throws std::invalid_argument unless there is one speed for each bar, finite.
@@ -64,6 +65,8 @@ struct NetworkDrive {
     std::vector<double> velocities = {};  ///< of the shaken clamps
     double step = 1.0;                    ///< its length [h]
     double past = 0.0;                    ///< of the first one, over at the start [h], < step
+    /// [delta], by which the shaken clamps are led to their motion, evenly in its first period.
+    double lead = 0.0;
 };
 
 struct NetworkContactEvent {

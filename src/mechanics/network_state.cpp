@@ -2,15 +2,19 @@
 #include <cmath>
 
 #include "faults.hpp"
+#include "harmonic_network.hpp"
 #include "network_simulation.hpp"
 #include "statics.hpp"
 
 namespace signorini {
 
-NetworkStart startAtRest(const Network& network)
+NetworkStart startAtRest(const Network& network, double base)
 {
-    const Rest rest = restOf(network);
-    return {rest.waves, rest.displacements};
+    const StillNetwork still = underMovedBase(network, base);
+    const Rest rest = restOf(still.network);
+    NetworkStart start{rest.waves, rest.displacements};
+    still.addShape(start);
+    return start;
 }
 
 NetworkStart startWithSpeeds(const Network& network, std::span<const double> speeds)

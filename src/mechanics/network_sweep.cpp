@@ -47,6 +47,7 @@ HarmonicDrive harmonicDrive(const Network& network, Excited place, double amplit
                                                 .phase = phase,
                                                 .steps = static_cast<std::int64_t>(steps),
                                                 .stepsPerCrossing = 1.0 / harmonic.drive.step});
+    harmonic.base = excitation.baseDisplacement(0);
     for (std::int64_t m = 0; m < excitation.steps(); ++m) {
         if (place == Excited::tip) {
             harmonic.drive.forces.push_back(excitation.force(m));
@@ -110,6 +111,12 @@ public:
         drive_ = harmonicDrive(
             network_, range.place, size * (range.place == Excited::tip ? force_ : displacement_),
             0.5 * std::numbers::pi * ratio_ * scale.time / unit.time, std::numbers::pi / 2.0);
+        constexpr double most = 1e5;  // looks in a period
+        if (drive_.period > most * resolution_) {
+            throwFault("resolution", range.resolution * unit.time,
+                       fmt::format("at least {:.3g} [s], of a period of {:.3g} s",
+                                   drive_.period / most * scale.time, drive_.period * scale.time));
+        }
     }
 
     [[nodiscard]] std::optional<SweepPoint> settle(double value, SweepDirection direction,

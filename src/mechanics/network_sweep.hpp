@@ -18,6 +18,7 @@ void requireExcitable(Faults& faults, const Network& network, Excited place);
 struct HarmonicDrive {
     NetworkDrive drive;
     double period = 0.0;  ///< [h]
+    double base = 0.0;    ///< [delta], where it has the shaken clamps at the start
 };
 
 /// cos(omega t - phase) with omega in 1/h, the amplitude in units of the network.

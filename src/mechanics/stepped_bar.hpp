@@ -25,6 +25,8 @@
 
 namespace signorini {
 
+class Faults;
+
 /// Do waves have one speed in all segments, so that cells are equally long?
 [[nodiscard]] bool haveOneSpeed(std::span<const Segment> segments);
 
@@ -64,6 +66,9 @@ inline constexpr double mostImpedance = 1e9;
 {
     return value >= 1.0 / mostImpedance && value <= mostImpedance;
 }
+
+/// Adds a fault of gravity [m/s^2] that is not finite, or strains a bar by more than 1e6.
+void requireWeight(Faults& faults, double gravity, double length, double waveSpeed);
 
 /// \throws std::invalid_argument unless there are segments of at least one cell each, with
 /// impedances and speeds in 1/mostImpedance..mostImpedance, dashpots in 0..mostImpedance and none

@@ -537,6 +537,66 @@ TEST_CASE("cli scenes: a bar is the same question by its words and by its option
                containsText("--scene clashes with"));
 }
 
+TEST_CASE("cli simulate: the base of a scene moves as that of options, whatever its phase")
+{
+    const CommandLine program;
+    const std::string shaken = "--force base --amplitude 7e-4 --hertz 0.2 --phase ";
+    const auto ofBar = [](const std::string& stops) {
+        return "simulate --rest --cells 12 --damping 0.06387546623297946 " + stops + " ";
+    };
+    const auto ofScene = [](const std::string& stops) {
+        return "simulate --scene 'clamp shaken 12 dash=0.1 " + stops + "' ";
+    };
+    for (const double phase : {0.0, 1.0, 2.0, 3.5}) {
+        for (const auto& [words, options] :
+             {std::pair{"stop=1e-3", "--gap 1e-3"},
+              {"stop=-4e-4", "--gap=-4e-4"},  // presses, or not, where the base stands
+              {"stop=1e-3 stop=-3e-4", "--gap 1e-3 --second-stop 3e-4"}}) {
+            const std::string rest = shaken + fmt::format("{} --time 40 --format json", phase);
+            const json scene = json::parse(program.run(ofScene(words) + rest).out);
+            const json bar = json::parse(program.run(ofBar(options) + rest).out);
+            INFO(words << " " << phase);
+            double impulse = 0.0;
+            for (const json& contact : scene["contacts"]) {
+                impulse += contact["impulse"].get<double>();
+            }
+            CHECK(impulse == Approx(bar["impulse"].get<double>()));
+            CHECK(scene["energy"].get<double>() == Approx(bar["energy"].get<double>()));
+        }
+    }
+    // From a state whose base stands elsewhere it is led to its motion: what is left is that.
+    const std::string scene =
+        " --scene 'clamp shaken 12 dash=0.4 stop=1e-3' --force base "
+        "--amplitude 7e-4 --hertz 0.25 ";
+    REQUIRE(program.run("simulate --time 3 --phase 0 --state s.csv" + scene).status == 0);
+    const auto settled = [&](const std::string& call) {
+        const json answer =
+            json::parse(program.run("simulate --periods 100 --format json " + call + scene).out);
+        INFO(call);
+        REQUIRE(!answer["settled"].is_null());
+        return answer["settled"]["impulse"].get<double>();
+    };
+    CHECK(settled("--from s.csv --phase 2") == Approx(settled("--phase 0")).epsilon(1e-6));
+}
+
+TEST_CASE("cli find --objective max-energy: of bars within a limit on strain", "[glpk]")
+{
+    const CommandLine program;
+    // The most that a linear program of waves found from 40 directions [J].
+    for (const auto& [call, most] :
+         {std::pair{"1:3 -:21 --scene 'clamp 3 stop=1e-3 3:1.3 clamp' --strain-limit 0.01",
+                    2.3495e-4},
+          {"1:1 -:29 --scene '3 gap=1e-3 2:0.5 clamp' --strain-limit 0.005", 6.0e-6},
+          {"1:1 -:39 --scene '4 gap=1e-3 4:1.3 clamp' --strain-limit 0.005", 5.36e-6},
+          {"1:9 -:47 --scene '4 gap=1e-3 4:2 clamp' --strain-limit 0.01", 0.0}}) {
+        const auto outcome =
+            program.run(fmt::format("find {} --objective max-energy --format json", call));
+        INFO(call << outcome.out << outcome.err);
+        REQUIRE(outcome.status == 0);
+        CHECK(json::parse(outcome.out)["energy"].get<double>() >= 0.999 * most);
+    }
+}
+
 TEST_CASE("cli: a round bar is given by its diameter")
 {
     const CommandLine program;

@@ -127,11 +127,11 @@ SceneCourse sceneCourseOf(const Request& request)
     const auto& bars = course.network.bars;
     const bool drifts =
         std::any_of(bars.begin(), bars.end(), [](const NetworkBar& bar) { return bar.drifts(); });
+    addDrive(course, request);
     // Bars that fly begin unstrained where they were put; else all is at rest under its weight.
     course.start = drifts ? startWithSpeeds(course.network, std::vector(bars.size(), 0.0))
-                          : startAtRest(course.network);
+                          : startAtRest(course.network, course.drive.moved.base);
     addHands(course, request.numbers("hands", -100.0, 100.0));
-    addDrive(course, request);
     return course;
 }
 
@@ -222,8 +222,9 @@ Reply showScene(const Request& request)
     const double crossing = bar.length / bar.waveSpeed / scales.time;
     const double begin = request.number("from", 0.0, 1e4) * crossing;
     const double span = request.number("span", 0.1, 200.0) * crossing;
-    NetworkSimulation simulation(course.network, course.start, course.drive.moved.drive,
-                                 {.mergeBelow = 1e-9});
+    NetworkSimulation simulation(
+        course.network, course.start,
+        answers::driveFrom(course.network, course.start, course.drive.moved), {.mergeBelow = 1e-9});
     // In parts, for what takes too long is to be refused.
     const auto goOn = [&](double duration) {
         for (double left = duration; left > 0.0; left -= crossing) {
