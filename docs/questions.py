@@ -89,8 +89,7 @@ OTHERS = set("""--help --period --frequency --hertz --from --to --direction --da
 STATES = {"two bars": "1:6 -:18", "flying": "1:2 -:6 2:2 -:6", "soft root": "1:4 -:50"}
 #: What a demand needs beside it to mean anything.
 WITH = {("find", "--target"): "--objective nearest", ("continuum", "--member"): "--state {folder}/state_out.csv",
-        ("continuum", "--state"): "--member 0", ("response", "--map"): "--contacts 2",
-        ("response", "--map-csv"): "--contacts 2", ("response", "--band"): "--contacts 2",
+        ("continuum", "--state"): "--member 0", ("response", "--band"): "--contacts 2",
         ("response", "--force-steps"): "--figure {folder}/figure.svg"}
 YIELDING = " --young 1e4 --density 1 --area 1e-4"  # EA = 1 N, as where nothing is said
 #: What it takes the place of in the question.

@@ -79,6 +79,7 @@ std::string inOptions(const std::string& message, unsigned questions,
     const std::string rest = next == std::string::npos
                                  ? ""
                                  : "; " + inOptions(message.substr(next + 2), questions, typed);
+    std::string_view untyped;
     for (const Option& option : options()) {
         if ((option.of & questions) == 0 || field.starts_with("--") ||
             (plain(option.name) != plain(field) && plain(option.field) != plain(field))) {
@@ -92,9 +93,12 @@ std::string inOptions(const std::string& message, unsigned questions,
             return fmt::format("{}{}{}{}{}{}", option.name, is, text, verdict,
                                allowedOf(option, allowed, text, value), rest);
         }
-        if (text.empty() && !option.field.empty()) {  // what holds without it
-            return fmt::format("{}{}{}{}{}{}", option.name, is, value, verdict, allowed, rest);
+        if (text.empty() && !option.field.empty() && untyped.empty()) {
+            untyped = option.name;
         }
+    }
+    if (!untyped.empty() && numberIn(value, "-")) {  // what holds without it
+        return fmt::format("{}{}{}{}{}{}", untyped, is, value, verdict, allowed, rest);
     }
     return message.substr(0, next) + rest;
 }
