@@ -27,7 +27,7 @@ def families(max_order: int = 12, *, max_energy_ratio: float | None = None,
         By ascending order, nu, contact_blocks; 33 up to order 12.
     """
     gravity = number("gravity", gravity)
-    units = _core.about_rest(bar_of(bar, bar_options), gravity)
+    units = _core.about_rest({"bar": bar_of(bar, bar_options), "gravity": gravity})
     rows = _core.families({**locals(), "bar": units, "progress": listener(progress)})
     scene = _core.Scene(units)
     return Table("families", rows, bar=units, stops=scene.stops,
@@ -67,7 +67,7 @@ def modes(*, phases: int = 1, max_order: int | None = None,
         By ascending order.
     """
     gravity = number("gravity", gravity)
-    units = _core.about_rest(bar_of(bar, bar_options), gravity)
+    units = _core.about_rest({"bar": bar_of(bar, bar_options), "gravity": gravity})
     order, period = _USUAL.get(whole("phases", phases), (3, 20.0))
     bounds = {
         "max_order": order if max_order is None else max_order,

@@ -154,8 +154,9 @@ void addLists(py::module_& module)
     addFamily(module);
     addMode(module);
     addCall(module, "families", &families);
-    module.def("about_rest",
-               [](const Bar& bar, double gravity) { return aboutRest(bar, gravity).bar; });
+    addCall(module, "about_rest", [](const Asked& asked) {
+        return aboutRest(asked.bar(), asked.get<double>("gravity")).bar;
+    });
     module.def("families_figure", &familiesAsFigure);
     module.def("polytopes_figure", &polytopesAsFigure);
     module.def("frequency_energy_figure", &planeAsFigure);
