@@ -137,11 +137,12 @@ void FindCommand::warn(const Physical& physical) const
 {
     common.warnUnlessAdmissible(physical);
     if (yieldStress && *physical.peakStress > *yieldStress) {
-        common.say(fmt::format("the stress reaches {:.6g} Pa, beyond --yield-stress {:.6g} Pa{}",
-                               *physical.peakStress, *yieldStress,
-                               *yieldStress < answers::softestModulus
-                                   ? fmt::format(" ({0:.6g} MPa are {0:.6g}MPa)", *yieldStress)
-                                   : ""));
+        common.say(
+            fmt::format("the stress reaches {:.6g} Pa, beyond --yield-stress {:.6g} Pa{}",
+                        *physical.peakStress, *yieldStress,
+                        *yieldStress < answers::softestModulus
+                            ? fmt::format(" ({0:.6g} MPa are typed {0:.6g}MPa)", *yieldStress)
+                            : ""));
     }
 }
 

@@ -135,7 +135,8 @@ void Given::refuseUnknown(const std::vector<std::string>& words) const
     std::string text;
     std::string hint;
     for (const std::string& word : words) {
-        if (looksLikeNumber(word)) {
+        const bool isOfOption = text.find("--") != std::string::npos;
+        if (looksLikeNumber(word) && !isOfOption) {
             usage_.words.starts_with("NC")
                 ? refuse("step count", word, fmt::format("whole numbers 1..{}", maxSteps))
                 : refuse("number", word, "numbers > 0, each after an option that takes it");
