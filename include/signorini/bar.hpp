@@ -91,8 +91,8 @@ void validate(const Scene& scene);
 
 /// What a uniform bar is about its rest under gravity g' [m/s^2], to the right: its tip sags by
 /// g' L^2/(2 c^2), by which the gap is smaller and a second stop farther, and all motions about it
-/// are those without weight. \throws std::invalid_argument unless g' is finite, or where the tip
-/// would rest at the second stop. \pre it has no segments.
+/// are those without weight. \throws std::invalid_argument unless |g'| <= 10^6 c^2/L, where the tip
+/// would rest at the second stop, or as `validate`. \pre it has no segments.
 [[nodiscard]] Scene aboutRest(const Scene& scene, double gravity);
 
 /// [N], what the bar at rest presses on the wall with: -g/sum(l_i/EA_i); 0 where there is a gap.

@@ -12,10 +12,12 @@ namespace signorini {
 
 namespace {
 
-/// Into how many a step is cut, so that a period has about a thousand.
+/// Into how many a step is cut, so that a period has about a thousand, and not too many cells.
 std::int64_t cutsOf(const HarmonicNetwork& given)
 {
-    return std::max<std::int64_t>(1, 1000 / given.steps);
+    constexpr std::int64_t mostCells = 20'000;
+    return std::max<std::int64_t>(1,
+                                  std::min(1000 / given.steps, mostCells / given.network.cells()));
 }
 
 /// What arrives in a part of each step, channel by channel, cut by cut; nothing in other cuts.

@@ -252,10 +252,18 @@ std::int64_t CommonOptions::usualCells() const
 Bar CommonOptions::bar() const
 {
     const Bar bar = barOfAnyGap();
+    requireGap(bar, bar.gap > 0.0);
     if (bar.gap <= 0.0) {
         refuse("--gap", fmt::format("{}", bar.gap), "finite numbers > 0 [m] for this command");
     }
     return bar;
+}
+
+void CommonOptions::requireGap(const Bar& bar, bool isFit) const
+{
+    refuseIf(
+        weight() != 0.0 && !isFit, "--gravity", fmt::format("{}", weight()),
+        fmt::format("a weight that leaves another gap than {:.6g} m for this command", bar.gap));
 }
 
 Bar CommonOptions::barOfAnyGap() const

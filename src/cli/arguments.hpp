@@ -103,6 +103,8 @@ struct CommonOptions {
     /// For commands that know a uniform bar and one wall. \throws std::invalid_argument on a clash,
     /// numbers that do not go together, or a scene with more.
     [[nodiscard]] Bar bar() const;
+    /// Blames the weight for a gap that is not fit. \throws std::invalid_argument.
+    void requireGap(const Bar& bar, bool isFit) const;
     /// The same for commands that know gaps of any sign.
     [[nodiscard]] Bar barOfAnyGap() const;
     /// The short forms, or (scene_options.cpp) a --scene that is a bar with stops at its tip; under

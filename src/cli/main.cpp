@@ -145,7 +145,9 @@ constexpr std::array commands{
          "--map-csv: steps, frequency_ratio, frequency, contacts (0, 1 or 2), contact, free, "
          "second_contact, second_free, least_amplitude, most_amplitude [N or m]; no largest "
          "one: empty. Schedules in order of contact; an amplitude has as many motions as rows "
-         "hold it.\n"
+         "hold it. Of several bars: steps, frequency_ratio, frequency, which (contact 1, 2, ...; "
+         "empty: bars that do not meet), contact, free (0: it never opens), least_amplitude, "
+         "most_amplitude.\n"
          "--backbone-csv: a4, b and family of the mode (t_c = a4 + b T), frequency_ratio and "
          "frequency of the excitation, period_ratio cT/L, energy_ratio E/E₁, impulse, "
          "peak_force, tip_lowest."},

@@ -40,6 +40,7 @@ ExitStatus runModes(const Given& given)
     all.maxOrder = maxOrder.value_or(usualOrder(phases));
     all.maxPeriod =
         given.number("--max-period").value_or(std::max(8.0, 4.0 * static_cast<double>(phases)));
+    common.requireGap(bar, bar.gap != 0.0);
     all.gapSign = answers::gapSignOfModes(bar);
     FrequencyEnergyOptions drawing;
     if (given.has("--figure")) {

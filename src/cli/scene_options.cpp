@@ -192,7 +192,10 @@ Scene CommonOptions::scene() const
             shortened(sceneText)));
     }
     validate(*bar);
-    return bar->segments.empty() ? aboutRest(*bar, assembly().gravity) : *bar;
+    refuseIf(weight() != 0.0 && !bar->segments.empty(),
+             "--gravity: allowed of segments with find, continuum, response, simulate, sweep and "
+             "atlas");
+    return weight() != 0.0 ? aboutRest(*bar, weight()) : *bar;
 }
 
 void CommonOptions::requireOwnDamping() const

@@ -113,7 +113,7 @@ FigureData mapOf(const std::vector<Column>& columns, const Reach& reach, const A
         const auto add = [&column](Series& series, double edge) {
             std::isfinite(edge) ? series.add(column.frequency, edge) : series.breakOff();
         };
-        add(meets, column.meets > 0.0 ? *column.meets : infinity);
+        add(meets, column.meets.value_or(0.0) > 0.0 ? column.meets.value_or(0.0) : infinity);
         add(least, column.least());
         for (const double pair : column.pairs) {
             if (pair <= amplitudes[1]) {
@@ -199,20 +199,21 @@ FigureData sceneMapFigure(const answers::SceneResponse& response)
     const double top = 3.0 * response.range.amplitude;
     const Unit unit = unitFor(top, isForce ? "N" : "m");
     std::vector<Column> columns;
-    for (auto at = response.frequencies.rbegin(); at != response.frequencies.rend(); ++at) {
-        const answers::SceneAmplitudes& amplitudes = at->amplitudes.value();
-        Column& column = columns.emplace_back(Column{at->hertz, {}});
+    for (const answers::SceneFrequency& at : response.frequencies) {
+        const answers::SceneAmplitudes& amplitudes = at.amplitudes.value();
+        Column& column = columns.emplace_back(Column{at.hertz, {}});
         if (amplitudes.open) {
             column.meets = *amplitudes.open * unit.factor;
         }
         for (const auto& [contact, branch] : amplitudes.closed) {
-            if (branch.contact == at->steps) {
+            if (branch.contact == at.steps) {
                 column.permanentUpTo = branch.most * unit.factor;
             } else {
                 column.motions.push_back({branch.least * unit.factor, branch.most * unit.factor});
             }
         }
     }
+    std::reverse(columns.begin(), columns.end());
     const Reach reach = reachOf(columns, 0.02 * columns.front().frequency);
     const Axis y{
         .label = labelled(isForce ? "amplitude of the force" : "amplitude of the base", unit),

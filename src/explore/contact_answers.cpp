@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "harmonic_motion.hpp"
+#include "infinity.hpp"
 
 namespace signorini {
 
@@ -178,15 +179,21 @@ std::optional<ContactAnswers::Permanent> ContactAnswers::permanent() const
     if (isImmobile && lengthOf(moved) > immobile * period_.usual) {
         return std::nullopt;
     }
-    const Permanent pushes{-gap / open_.compliance(contact_, contact_),
-                           isImmobile ? 0.0 : -moved / mobility};
+    Permanent pushes{-gap / open_.compliance(contact_, contact_),
+                     isImmobile ? 0.0 : -moved / mobility, infinity};
+    const auto reach = [&pushes](double still, double swing) {
+        pushes.upTo = swing > 0.0 ? std::min(pushes.upTo, still / swing) : pushes.upTo;
+    };
+    reach(pushes.still, lengthOf(pushes.swing));
     for (std::size_t other = 0; other < given_.network.contacts.size(); ++other) {
         const Complex rate =
             driven(other) + pushes.swing * open_.rateByPush(other, answer, contact_);
-        const double swing = given_.amplitude * lengthOf(rate / (given_.turn(1) - 1.0));
         const double still =
             given_.network.contacts[other].gap + pushes.still * open_.compliance(other, contact_);
-        if (other != contact_ && still < swing) {
+        if (other != contact_) {
+            reach(still, lengthOf(rate / (given_.turn(1) - 1.0)));
+        }
+        if (other != contact_ && still < 0.0) {
             return std::nullopt;
         }
     }

@@ -37,9 +37,10 @@ public:
     struct Permanent {
         double still = 0.0;
         Complex swing = 0.0;
+        double upTo = 0.0;  ///< A, beyond which it would pull, or another contact close
     };
     /// None where its sides do not press on each other at rest, where a harmonic cannot move it, or
-    /// where another contact would close.
+    /// where another contact is closed at rest, too.
     [[nodiscard]] std::optional<Permanent> permanent() const;
 
     /// The waves at t = 0 under the excitation (C, S) and pushes in the first steps. O(cells

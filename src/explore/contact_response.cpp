@@ -68,7 +68,9 @@ public:
         response_.found.steps = given.steps;
         response_.found.linearPeak = given.amplitude * waves_.linearPeak();
         response_.found.touches = response_.found.linearPeak >= gap();
-        response_.found.openUpTo = std::max(gap(), 0.0) / waves_.linearPeak();
+        response_.found.openUpTo = gap() < 0.0                 ? 0.0
+                                   : waves_.linearPeak() > 0.0 ? gap() / waves_.linearPeak()
+                                                               : infinity;
         response_.distance = gap() - response_.found.linearPeak;
     }
 
@@ -150,9 +152,9 @@ private:
         response_.leastPush =
             found ? found->still - given_.amplitude * lengthOf(found->swing) : -1.0;
         if (found) {
-            response_.found.permanentUpTo = found->still / lengthOf(found->swing);
+            response_.found.permanentUpTo = found->upTo;
         }
-        if (response_.leastPush < 0.0) {
+        if (!found || response_.leastPush < 0.0 || given_.amplitude > found->upTo) {
             return;
         }
         std::vector<double> pushes;
@@ -285,7 +287,7 @@ std::optional<FrequencyResponse> steppedResponseAt(const ResponseRange& range, s
     all.linearPeak = contacts->front().found.linearPeak / cells;
     all.openUpTo = infinity;
     for (const auto& [found, permanent, leastPush, distance] : *contacts) {
-        all.openUpTo = std::min(all.openUpTo, found.openUpTo / unit);
+        all.openUpTo = distance ? std::min(all.openUpTo, found.openUpTo / unit) : all.openUpTo;
         all.touches = all.touches || found.touches;
         all.detail = all.undecided == 0 ? found.detail : all.detail;
         all.undecided += found.undecided;

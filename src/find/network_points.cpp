@@ -278,13 +278,18 @@ NetworkPoint NetworkPoints::ofMostEnergy(double beyond)
         return most;
     }
     const Eigen::VectorXd made = steadyCoordinates(blocks_, *kernel_);
-    double enough = infinity;
     const double limited = energyWithin(blocks_.network());
-    if (limited < infinity) {  // its conditions are added where they are broken
-        constexpr double spare = 1e6;
+    double enough = infinity;
+    // Conditions on strain are added where they are broken: in a box as large as they leave, or
+    // wider where the most is at its faces.
+    constexpr double widest = 1e6;
+    for (double spare = limited < infinity ? 1.0 : widest; spare <= widest; spare *= 100.0) {
         enough = spare * (limited + made.squaredNorm());
+        most = climbed(made, std::sqrt(enough), enough);
+        if (most.detail.empty() && !most.isUnbounded && most.z.squaredNorm() < 0.999 * enough) {
+            break;
+        }
     }
-    most = climbed(made, std::sqrt(enough), enough);
     if (!most.detail.empty()) {
         return most;
     }

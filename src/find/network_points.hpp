@@ -35,8 +35,8 @@ public:
     /// and one of more: the set is convex and the energy grows on the way. Those of more are
     /// vertices in several directions. \throws BackendUnavailable
     [[nodiscard]] NetworkPoint ofEnergy(double wanted, std::span<const double> leastWaves);
-    /// The most energy that climbing finds, not proved the most. Under a limit on strain, whose
-    /// rows are added one by one, one of `beyond` [Z_1 delta^2/h] counts as without a bound.
+    /// The most energy that climbing finds, not proved the most. One of `beyond`
+    /// [Z_1 delta^2/h], or of 10^6 times what a limit on strain leaves, counts as without a bound.
     /// \throws BackendUnavailable
     [[nodiscard]] NetworkPoint ofMostEnergy(double beyond);
     /// Waves, and where the nodes are at the start.

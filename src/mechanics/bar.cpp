@@ -5,7 +5,6 @@
 #include <string>
 
 #include "faults.hpp"
-#include "infinity.hpp"
 #include "signorini/schedule.hpp"
 #include "stepped_bar.hpp"
 
@@ -110,30 +109,35 @@ void validate(const Scene& scene)
 
 void requireWeight(Faults& faults, double gravity, double length, double waveSpeed)
 {
-    constexpr double most = 1e6;  // of strains by weight
-    const double unit = waveSpeed / length * waveSpeed;
-    if (!(std::abs(gravity) <= most * unit)) {
-        faults.add("gravity", gravity,
-                   fmt::format("finite, at most {:.6g} [m/s^2] in size", most * unit));
+    constexpr double mostStrain = 1e6;
+    const double most = mostStrain * waveSpeed / length * waveSpeed;
+    if (!std::isfinite(gravity) || (most > 0.0 && std::abs(gravity) > most)) {
+        faults.add("gravity", gravity, fmt::format("finite, at most {:.6g} [m/s^2] in size", most));
     }
 }
 
 Scene aboutRest(const Scene& scene, double gravity)
 {
+    validate(scene);
+    Faults faults;
+    requireWeight(faults, gravity, scene.bar.length, scene.bar.waveSpeed);
+    faults.throwIfAny();
     const double time = scene.bar.length / scene.bar.waveSpeed;
-    Faults weight;
-    requireWeight(weight, gravity, scene.bar.length, scene.bar.waveSpeed);
-    weight.throwIfAny();
-    const double least = scene.secondStop ? -2.0 * *scene.secondStop / (time * time) : -infinity;
-    if (gravity <= least) {
-        throwFault("gravity", gravity,
-                   fmt::format("finite and > {} [m/s^2]: the tip rests at no second stop", least));
-    }
     const double sag = 0.5 * gravity * time * time;
+    const auto moved = [](double place, double way) {
+        constexpr double rounding = 1e-14;
+        const double there = place + way;
+        return std::abs(there) <= rounding * std::abs(place) ? 0.0 : there;
+    };
     Scene sagged = scene;
-    sagged.bar.gap -= sag;
-    if (sagged.secondStop) {
-        *sagged.secondStop += sag;
+    sagged.bar.gap = moved(scene.bar.gap, -sag);
+    if (scene.secondStop) {
+        sagged.secondStop = moved(*scene.secondStop, sag);
+    }
+    if (sagged.secondStop && !(*sagged.secondStop > 0.0)) {
+        throwFault("gravity", gravity,
+                   fmt::format("finite and > {} [m/s^2]: the tip rests at no second stop",
+                               -2.0 * *scene.secondStop / (time * time)));
     }
     validate(sagged);
     return sagged;

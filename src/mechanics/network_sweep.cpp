@@ -107,12 +107,13 @@ public:
             strain_ += static_cast<double>(row.cells) * row.speed / displacement_;
         }
         impulse_ = force_ * unit.time / scale.time;
-        resolution_ = range.resolution > 0.0 ? range.resolution * unit.time / scale.time : 1.0;
         drive_ = harmonicDrive(
             network_, range.place, size * (range.place == Excited::tip ? force_ : displacement_),
             0.5 * std::numbers::pi * ratio_ * scale.time / unit.time, std::numbers::pi / 2.0);
         constexpr double most = 1e5;  // looks in a period
-        if (drive_.period > most * resolution_) {
+        resolution_ = range.resolution > 0.0 ? range.resolution * unit.time / scale.time
+                                             : std::max(1.0, drive_.period / most);
+        if (drive_.period > most * resolution_ * (1.0 + 1e-9)) {
             throwFault("resolution", range.resolution * unit.time,
                        fmt::format("at least {:.3g} [s], of a period of {:.3g} s",
                                    drive_.period / most * scale.time, drive_.period * scale.time));
@@ -269,6 +270,9 @@ private:
 
 SweepBody NetworkSweep::body() const
 {
+    for (const double end : {range.least, range.most}) {
+        (void)NetworkValue(*this, end);  // throws before anything is followed
+    }
     return {[this] { return packed(network, startAtRest(network)); },
             [this](double value, SweepDirection direction, Waves& waves, const Cancel& cancel) {
                 return NetworkValue(*this, value).settle(value, direction, waves, cancel);

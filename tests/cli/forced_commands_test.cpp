@@ -8,6 +8,7 @@
 #include <fstream>
 #include <limits>
 #include <map>
+#include <set>
 #include <numbers>
 #include <sstream>
 
@@ -733,6 +734,35 @@ TEST_CASE("cli response --map: pressed bars have contact that never opens, up to
     CHECK(parsed(program, pressed + "1.0001e-4")["frequencies"][0]["permanent_contact"].is_null());
     const std::string row = map.substr(map.find(",1," + at["steps"].dump() + ",0,,,0,") + 1);
     CHECK(std::stod(row.substr(row.find_last_of(',', row.find('\n')) + 1)) == Approx(1e-4));
+}
+
+TEST_CASE("cli response --map-csv: contact that never opens ends where another one closes")
+{
+    const CommandLine program;
+    const std::string call =
+        "response --scene 'clamp 4 dash=0.1 driven 2 stop=-1e-4 gap=1e-2 4 dash=0.2 "
+        "stop=right:-2e-4 2 clamp' --force tip --from 0.8 --to 0.81 --map-csv m.csv --amplitude ";
+    std::set<std::string> rows;
+    for (const char* amplitude : {"5e-5", "1e-4", "1.2e-4", "2e-4"}) {
+        const json answer = parsed(program, call + amplitude);
+        const json& at = answer["frequencies"][0];
+        const std::string map = contentOf(program.file("m.csv"));
+        const std::size_t row = map.find(",3," + at["steps"].dump() + ",0,0,");
+        INFO(amplitude << map);
+        REQUIRE(row != std::string::npos);
+        const double most = std::stod(map.substr(map.find(",0,0,", row) + 5));
+        rows.insert(fmt::format("{:.9e}", most));
+        const bool isHeld =
+            std::any_of(at["motions"].begin(), at["motions"].end(),
+                        [&](const json& motion) { return motion["contact_steps"] == at["steps"]; });
+        CHECK(isHeld == (std::stod(amplitude) <= most));
+    }
+    CHECK(rows.size() == 1);
+    // What the force does not reach and what presses at rest is not a motion without contact.
+    (void)parsed(program,
+                 "response --scene 'clamp 4 dash=0.1 driven gap=1e-3 4 dash=0.2 stop=right:-1e-4 "
+                 "2 clamp' --force tip --amplitude 1e-4 --from 0.8 --to 1.1 --map-csv n.csv");
+    CHECK_THAT(contentOf(program.file("n.csv")), containsText(",,0,30,0,0\n"));
 }
 
 TEST_CASE("cli response, simulate: figures with their labels")

@@ -136,6 +136,10 @@ TEST_CASE("cli gravity: families and modes are those of the gap that weight leav
         CHECK_THAT(program.run("families --max-order 3" + sagging).out,
                    containsText(" under its weight; "));
     }
+    // What just touches has no gap, whatever is rounded, and weight is to blame.
+    CHECK_THAT(program.run("modes --gravity 0.1 --wave-speed 3 --gap 0.005555555555555556").err,
+               containsText("--gravity = 0.1 is out of range: allowed a weight that leaves another "
+                            "gap than 0 m"));
     // The same of a file that says its gravity, and of words.
     CHECK(program
               .run("families --max-order 4 --scene 'clamp 8 stop=1e-3' --gravity 1e-3 --format "
