@@ -103,7 +103,9 @@ TEST_CASE("cli gravity: families and modes are those of the gap that weight leav
 {
     const CommandLine program;
     for (const double gravity : {0.02, -0.03, 0.15}) {
-        const auto [sagging, sagged] = bars(1e-3, gravity);
+        const auto both = bars(1e-3, gravity);
+        const auto& sagging = both.first;
+        const auto& sagged = both.second;
         const double gap = 1e-3 - gravity * 4.0 / 200.0;
         const auto check = [&](const std::string& question, const char* rows,
                                const std::string& stop = "", const std::string& left = "") {
