@@ -41,23 +41,6 @@ double durationOf(const Network& network, const SceneDrive& drive,
     return duration;
 }
 
-NetworkDrive driveFrom(const Network& network, const NetworkStart& start,
-                       const HarmonicDrive& moved)
-{
-    constexpr double rounding = 1e-9;
-    NetworkDrive drive = moved.drive;
-    const auto shaken = std::find_if(network.nodes.begin(), network.nodes.end(),
-                                     [](const NetworkNode& node) { return node.isShaken; });
-    if (shaken != network.nodes.end() && !drive.velocities.empty()) {
-        const double here =
-            start.displacements[static_cast<std::size_t>(shaken - network.nodes.begin())];
-        const double reach = std::abs(here) + largestSizeOf(drive.velocities) * moved.period;
-        const double lead = moved.base - here;
-        drive.lead = std::abs(lead) <= rounding * reach ? 0.0 : lead;
-    }
-    return drive;
-}
-
 NetworkSimulation simulationOf(const Network& network, const NetworkStart& start,
                                const SceneDrive& drive, bool recordsPaths)
 {

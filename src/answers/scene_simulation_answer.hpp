@@ -24,10 +24,6 @@ struct SceneDrive {
                                 const std::optional<double>& time,
                                 const std::optional<std::int64_t>& periods);
 
-/// What moves it from there: shaken clamps that stand elsewhere are led to their motion.
-[[nodiscard]] NetworkDrive driveFrom(const Network& network, const NetworkStart& start,
-                                     const HarmonicDrive& moved);
-
 /// From a start; its faded jumps become one.
 [[nodiscard]] NetworkSimulation simulationOf(const Network& network, const NetworkStart& start,
                                              const SceneDrive& drive, bool recordsPaths);

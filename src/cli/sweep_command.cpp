@@ -182,6 +182,9 @@ ExitStatus SweepCommand::run(SweepAnswer answer, const Network* network) const
     }
     Outputs outputs(given, {"--csv", "--figure", "--bifurcation"});
     (void)valuesOf(answer.range);  // nothing is written of what is refused
+    if (network != nullptr) {
+        NetworkSweep{*network, answer.bar, answer.range}.require();
+    }
     const auto [option, from] = typedEnd(given, "--from");
     if (over == Swept::frequency && answer.range.least >= answers::likelyHertz &&
         option == "--from" && !from.ends_with("Hz")) {

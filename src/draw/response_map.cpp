@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 #include "axes.hpp"
 #include "excited_amplitude.hpp"
@@ -28,7 +27,7 @@ constexpr std::size_t mapRows = 240;
 /// What there is at one frequency, in amplitudes of the axis.
 struct Column {
     double frequency;
-    std::optional<double> meets;  ///< where the motion without contact does, if that is known
+    double meets = 0.0;  ///< where the motion without contact does; 0: at once, or not known
     std::vector<std::array<double, 2>> motions = {};  ///< from, to, with one contact
     std::vector<double> pairs = {};                   ///< with two contacts
     double permanentUpTo = 0.0;                       ///< where contact that never opens would
@@ -47,8 +46,7 @@ struct Column {
             return one[0] <= amplitude && amplitude <= one[1];
         };
         const auto count = std::count_if(motions.begin(), motions.end(), holds) +
-                           (amplitude < meets.value_or(0.0) ? 1 : 0) +
-                           (amplitude <= permanentUpTo ? 1 : 0);
+                           (amplitude < meets ? 1 : 0) + (amplitude <= permanentUpTo ? 1 : 0);
         return std::min(static_cast<std::size_t>(count), mostTold);
     }
 };
@@ -113,7 +111,7 @@ FigureData mapOf(const std::vector<Column>& columns, const Reach& reach, const A
         const auto add = [&column](Series& series, double edge) {
             std::isfinite(edge) ? series.add(column.frequency, edge) : series.breakOff();
         };
-        add(meets, column.meets.value_or(0.0) > 0.0 ? column.meets.value_or(0.0) : infinity);
+        column.meets > 0.0 ? add(meets, column.meets) : meets.breakOff();
         add(least, column.least());
         for (const double pair : column.pairs) {
             if (pair <= amplitudes[1]) {
@@ -201,10 +199,8 @@ FigureData sceneMapFigure(const answers::SceneResponse& response)
     std::vector<Column> columns;
     for (const answers::SceneFrequency& at : response.frequencies) {
         const answers::SceneAmplitudes& amplitudes = at.amplitudes.value();
-        Column& column = columns.emplace_back(Column{at.hertz, {}});
-        if (amplitudes.open) {
-            column.meets = *amplitudes.open * unit.factor;
-        }
+        Column& column =
+            columns.emplace_back(Column{at.hertz, amplitudes.open.value_or(0.0) * unit.factor});
         for (const auto& [contact, branch] : amplitudes.closed) {
             if (branch.contact == at.steps) {
                 column.permanentUpTo = branch.most * unit.factor;

@@ -186,16 +186,17 @@ std::optional<ContactAnswers::Permanent> ContactAnswers::permanent() const
     };
     reach(pushes.still, lengthOf(pushes.swing));
     for (std::size_t other = 0; other < given_.network.contacts.size(); ++other) {
+        if (other == contact_) {
+            continue;
+        }
         const Complex rate =
             driven(other) + pushes.swing * open_.rateByPush(other, answer, contact_);
         const double still =
             given_.network.contacts[other].gap + pushes.still * open_.compliance(other, contact_);
-        if (other != contact_) {
-            reach(still, lengthOf(rate / (given_.turn(1) - 1.0)));
-        }
-        if (other != contact_ && still < 0.0) {
+        if (still < 0.0) {
             return std::nullopt;
         }
+        reach(still, lengthOf(rate / (given_.turn(1) - 1.0)));
     }
     return pushes;
 }

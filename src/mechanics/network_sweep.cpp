@@ -29,14 +29,16 @@ void requireExcitable(Faults& faults, const Network& network, Excited place)
 }
 
 HarmonicDrive harmonicDrive(const Network& network, Excited place, double amplitude, double omega,
-                            double phase)
+                            double phase, std::string_view field)
 {
     const double exact = 2.0 * std::numbers::pi / omega;
     const double steps = std::round(exact);
     if (!(steps >= 3.0 && steps <= static_cast<double>(maxExcitationSteps))) {
-        throwFault("frequency", omega / (2.0 * std::numbers::pi) / network.scales.time,
-                   fmt::format("periods of 3..{} steps of {:.6g} s [Hz]", maxExcitationSteps,
-                               network.scales.time));
+        const double time = network.scales.time;
+        throwFault(field, omega / (2.0 * std::numbers::pi) / time,
+                   fmt::format("about {:.3g}..{:.3g} [Hz]",
+                               1.0 / (static_cast<double>(maxExcitationSteps) * time),
+                               1.0 / (3.0 * time)));
     }
     const bool isWhole = std::abs(exact - steps) <= 1e-9 * exact;
     HarmonicDrive harmonic;
@@ -56,6 +58,23 @@ HarmonicDrive harmonicDrive(const Network& network, Excited place, double amplit
         }
     }
     return harmonic;
+}
+
+NetworkDrive driveFrom(const Network& network, const NetworkStart& start,
+                       const HarmonicDrive& moved)
+{
+    constexpr double rounding = 1e-9;
+    NetworkDrive drive = moved.drive;
+    const auto shaken = std::find_if(network.nodes.begin(), network.nodes.end(),
+                                     [](const NetworkNode& node) { return node.isShaken; });
+    if (shaken != network.nodes.end() && !drive.velocities.empty()) {
+        const double here =
+            start.displacements[static_cast<std::size_t>(shaken - network.nodes.begin())];
+        const double reach = std::abs(here) + largestSizeOf(drive.velocities) * moved.period;
+        const double lead = moved.base - here;
+        drive.lead = std::abs(lead) <= rounding * reach ? 0.0 : lead;
+    }
+    return drive;
 }
 
 namespace {
@@ -92,7 +111,8 @@ NetworkStart unpacked(const Network& network, const Waves& waves)
 /// One value of a sweep of a network.
 class NetworkValue {
 public:
-    NetworkValue(const NetworkSweep& sweep, double value) : sweep_(sweep), network_(sweep.network)
+    NetworkValue(const NetworkSweep& sweep, double value, std::string_view field = "frequency")
+        : sweep_(sweep), network_(sweep.network)
     {
         const SweepRange& range = sweep.range;
         const bool isFrequency = range.over == Swept::frequency;
@@ -107,9 +127,10 @@ public:
             strain_ += static_cast<double>(row.cells) * row.speed / displacement_;
         }
         impulse_ = force_ * unit.time / scale.time;
-        drive_ = harmonicDrive(
-            network_, range.place, size * (range.place == Excited::tip ? force_ : displacement_),
-            0.5 * std::numbers::pi * ratio_ * scale.time / unit.time, std::numbers::pi / 2.0);
+        drive_ = harmonicDrive(network_, range.place,
+                               size * (range.place == Excited::tip ? force_ : displacement_),
+                               0.5 * std::numbers::pi * ratio_ * scale.time / unit.time,
+                               std::numbers::pi / 2.0, isFrequency ? field : "frequency");
         constexpr double most = 1e5;  // looks in a period
         resolution_ = range.resolution > 0.0 ? range.resolution * unit.time / scale.time
                                              : std::max(1.0, drive_.period / most);
@@ -268,11 +289,14 @@ private:
 
 }  // namespace
 
+void NetworkSweep::require() const
+{
+    (void)NetworkValue(*this, range.least, "least");
+    (void)NetworkValue(*this, range.most, "most");
+}
+
 SweepBody NetworkSweep::body() const
 {
-    for (const double end : {range.least, range.most}) {
-        (void)NetworkValue(*this, end);  // throws before anything is followed
-    }
     return {[this] { return packed(network, startAtRest(network)); },
             [this](double value, SweepDirection direction, Waves& waves, const Cancel& cancel) {
                 return NetworkValue(*this, value).settle(value, direction, waves, cancel);

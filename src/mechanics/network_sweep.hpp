@@ -22,9 +22,15 @@ struct HarmonicDrive {
 };
 
 /// cos(omega t - phase) with omega in 1/h, the amplitude in units of the network.
-/// \throws std::invalid_argument where a period has fewer than 3 steps, or too many.
+/// \throws std::invalid_argument naming the field where a period has fewer than 3 steps, or too
+/// many.
 [[nodiscard]] HarmonicDrive harmonicDrive(const Network& network, Excited place, double amplitude,
-                                          double omega, double phase);
+                                          double omega, double phase,
+                                          std::string_view field = "frequency");
+
+/// What moves it from a start: shaken clamps that stand elsewhere are led to their motion.
+[[nodiscard]] NetworkDrive driveFrom(const Network& network, const NetworkStart& start,
+                                     const HarmonicDrive& moved);
 
 /// A sweep of a network over the frequency or the amplitude: as that of a bar (signorini/sweep.hpp)
 /// from rest or with the state carried over. Numbers of the range and of the points are in units of
@@ -35,6 +41,9 @@ struct NetworkSweep {
     const Bar& bar;
     const SweepRange& range;
 
+    /// \throws std::invalid_argument on an end of the range that has no period, or a resolution too
+    /// fine for it; before anything is followed or written.
+    void require() const;
     /// The body that `sweep` follows. Refers to all of this.
     [[nodiscard]] SweepBody body() const;
 };

@@ -121,6 +121,25 @@ TEST_CASE("cli sweep: a run that was cut short ends with the same rows")
     CHECK(program.run("sweep --damping 0.1 --force tip --amplitude 1e-4 --resume").status == 2);
 }
 
+TEST_CASE("cli sweep: a refused sweep of several bars leaves no file and names what was typed")
+{
+    const CommandLine program;
+    const std::string bars =
+        "sweep --scene 'clamp 6 dash=0.1 driven gap=1e-3 4:1.5 dash=0.2 5 "
+        "clamp' --force tip --amplitude 2e-3 --points 2 --periods 20 --csv x.csv ";
+    for (const auto& [wrong, named] :
+         {std::pair{"--resolve 1e-9", "--resolve = 1e-9 is out of range: allowed at least"},
+          {"--to-hertz 9", "--to-hertz = 9 is out of range: allowed about 1.5e-07..5 [Hz]"},
+          {"--from-hertz 8 --to-hertz 9", "--from-hertz = 8 is out of range: allowed about"}}) {
+        const auto outcome = program.run(bars + wrong);
+        INFO(wrong << outcome.err);
+        CHECK(outcome.status == 2);
+        CHECK(lines(outcome.err) == 1);
+        CHECK_THAT(outcome.err, containsText(named));
+        CHECK(program.files() == 0);
+    }
+}
+
 TEST_CASE("cli study: each row is the worst of a sweep, and a list may grow")
 {
     const CommandLine program;

@@ -222,9 +222,9 @@ Reply showScene(const Request& request)
     const double crossing = bar.length / bar.waveSpeed / scales.time;
     const double begin = request.number("from", 0.0, 1e4) * crossing;
     const double span = request.number("span", 0.1, 200.0) * crossing;
-    NetworkSimulation simulation(
-        course.network, course.start,
-        answers::driveFrom(course.network, course.start, course.drive.moved), {.mergeBelow = 1e-9});
+    NetworkSimulation simulation(course.network, course.start,
+                                 driveFrom(course.network, course.start, course.drive.moved),
+                                 {.mergeBelow = 1e-9});
     // In parts, for what takes too long is to be refused.
     const auto goOn = [&](double duration) {
         for (double left = duration; left > 0.0; left -= crossing) {
