@@ -197,7 +197,9 @@ FigureData sceneMapFigure(const answers::SceneResponse& response)
     const double top = 3.0 * response.range.amplitude;
     const Unit unit = unitFor(top, isForce ? "N" : "m");
     std::vector<Column> columns;
+    std::int64_t undecided = 0;
     for (const answers::SceneFrequency& at : response.frequencies) {
+        undecided += at.undecided;
         const answers::SceneAmplitudes& amplitudes = at.amplitudes.value();
         Column& column =
             columns.emplace_back(Column{at.hertz, amplitudes.open.value_or(0.0) * unit.factor});
@@ -218,7 +220,10 @@ FigureData sceneMapFigure(const answers::SceneResponse& response)
     FigureData figure = mapOf(
         columns, reach, hertzAxis(reach[0], reach[1], answers::firstHertz(response.bars.reference)),
         y, response.range.amplitude * unit.factor);
-    figure.title = contactsIn(response.range.cycles);
+    figure.title = fmt::format(
+        "{},  {} cells{}", contactsIn(response.range.cycles),
+        networkOf(response.bars.assembly).cells(),
+        undecided > 0 ? fmt::format(",  {} schedules undecided", undecided) : std::string());
     return figure;
 }
 

@@ -8,8 +8,8 @@
 #include <fstream>
 #include <limits>
 #include <map>
-#include <set>
 #include <numbers>
+#include <set>
 #include <sstream>
 
 #include "command_line.hpp"
@@ -719,6 +719,13 @@ TEST_CASE("cli response --map-csv of several bars: the amplitudes that find has"
     }
     CHECK(found == seen.size());
     CHECK(found >= 5);
+    const auto drawn = program.run(
+        "response --from-hertz 0.6 --to-hertz 0.7 --force tip --amplitude 2e-3 --map m.svg" + bars);
+    if (drawn.status != 4) {  // gnuplot is here
+        for (const char* label : {"amplitude of the force", "16 cells", "the least", "Hz"}) {
+            CHECK_THAT(contentOf(program.file("m.svg")), containsText(label));
+        }
+    }
 }
 
 TEST_CASE("cli response --map: pressed bars have contact that never opens, up to an amplitude")
