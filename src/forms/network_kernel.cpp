@@ -143,6 +143,13 @@ VectorOf<Number> scalesOf(const NetworkBlocks& blocks)
     return scale;
 }
 
+template <typename Number>
+using Orthogonal = std::conditional_t<isFine<Number>, UnblockedFactors,
+                                      Eigen::ColPivHouseholderQR<MatrixOf<Number>>>;
+template <typename Number>
+using Factors =
+    std::conditional_t<isFine<Number>, UnblockedFactors, Eigen::PartialPivLU<MatrixOf<Number>>>;
+
 /// An orthonormal basis of the kernel.
 template <typename Number>
 MatrixOf<Number> kernelBasis(const MatrixOf<Number>& change, double zero, bool& isClear)
@@ -152,30 +159,55 @@ MatrixOf<Number> kernelBasis(const MatrixOf<Number>& change, double zero, bool& 
     const double none = isFine<Number> ? 1e-40 : noPivot;
     const double clear = isFine<Number> ? 1e-25 : clearPivot;
     // The rows of change^T = Q R P^T: what Q has beyond the rank is orthogonal to its columns.
-    const Eigen::ColPivHouseholderQR<MatrixOf<Number>> factors(change.transpose());
+    const Orthogonal<Number> factors(change.transpose());
     Eigen::Index rank = 0;
     for (Eigen::Index k = 0; k < size; ++k) {
-        const Number pivot = abs(factors.matrixR()(k, k));
+        const Number pivot = abs(factors.matrixQR()(k, k));
         rank += pivot > (isFine<Number> ? none : zero) ? 1 : 0;
         isClear = isClear && !(pivot > none && pivot < clear);
     }
-    MatrixOf<Number> basis = MatrixOf<Number>::Zero(size, size - rank);
-    basis.bottomRows(size - rank).setIdentity();
-    return factors.householderQ() * basis;
+    if constexpr (isFine<Number>) {
+        return MatrixOf<Number>(factors.matrixQ()).rightCols(size - rank);
+    } else {
+        MatrixOf<Number> basis = MatrixOf<Number>::Zero(size, size - rank);
+        basis.bottomRows(size - rank).setIdentity();
+        return factors.householderQ() * basis;
+    }
 }
-
-template <typename Number>
-using Factors = Eigen::PartialPivLU<MatrixOf<Number>>;
 
 template <typename Number>
 bool isRegular(const Factors<Number>& factors, double least)
 {
-    const double bound = isFine<Number> ? 1e-25 : least;
-    const bool hasPivots = factors.matrixLU().diagonal().cwiseAbs().minCoeff() > bound;
     if constexpr (isFine<Number>) {
-        return hasPivots;
+        return factors.matrixQR().diagonal().cwiseAbs().minCoeff() > 1e-25;
     } else {
-        return hasPivots && factors.rcond() > bound;
+        return factors.matrixLU().diagonal().cwiseAbs().minCoeff() > least &&
+               factors.rcond() > least;
+    }
+}
+
+/// Column by column where there are no blocks.
+template <typename Number>
+MatrixOf<Number> solved(const Factors<Number>& factors, const MatrixOf<Number>& right)
+{
+    if constexpr (isFine<Number>) {
+        MatrixOf<Number> columns(right.rows(), right.cols());
+        for (Eigen::Index k = 0; k < right.cols(); ++k) {
+            columns.col(k) = factors.solve(right.col(k));
+        }
+        return columns;
+    } else {
+        return factors.solve(right);
+    }
+}
+
+template <typename Number>
+MatrixOf<Number> product(const auto& left, const MatrixOf<Number>& right)
+{
+    if constexpr (isFine<Number>) {
+        return left.lazyProduct(right);
+    } else {
+        return left * right;
     }
 }
 
@@ -227,7 +259,7 @@ private:
         if (isDamped_ || inputs > 0) {
             factors.emplace(rest);
         }
-        const bool isWhole = factors && isRegular(*factors, clearPivot);
+        const bool isWhole = factors && isRegular<Number>(*factors, clearPivot);
         const Matrix basis = isWhole ? Matrix(size, 0) : basisOf(type, rest, start);
         const auto channels = static_cast<std::int64_t>(blocks_.network().channels());
         kept_ += (channels * blocks_.turns() + size) * (basis.cols() + inputs);
@@ -240,12 +272,13 @@ private:
         states.leftCols(basis.cols()) = basis / width;
         if (inputs > 0) {
             const Matrix made = carried.rightCols(inputs);
-            const Matrix work = basis.transpose() * made;
+            const Matrix work = product(basis.transpose(), made);
             if (!isWhole) {
-                factors.emplace(rest + basis * basis.transpose());
+                factors.emplace(rest + product(basis, Matrix(basis.transpose())));
             }
-            kernel_.isClear = kernel_.isClear && isRegular(*factors, leastPivot);
-            states.rightCols(inputs) = factors->solve(made - basis * work);
+            kernel_.isClear = kernel_.isClear && isRegular<Number>(*factors, leastPivot);
+            states.rightCols(inputs) =
+                solved<Number>(*factors, Matrix(made - product(basis, work)));
             kernel_.work.push_back(width * work);
         }
         keep(type, basis.cols(), scale_.cwiseInverse().asDiagonal() * states);
@@ -314,8 +347,9 @@ std::vector<double> wavesAt(const NetworkBlocks& blocks, const NetworkKernel<Num
     std::vector<VectorOf<Number>> arriving;
     for (std::size_t type = 0; type < kernel.waves.size(); ++type) {
         const auto& waves = kernel.waves[type];
-        arriving.push_back(waves * z.segment(kernel.firsts[type], waves.cols()) +
-                           kernel.driven[type] * inputs);
+        const VectorOf<Number> own = z.segment(kernel.firsts[type], waves.cols());
+        arriving.push_back(product<Number>(waves, own) +
+                           product<Number>(kernel.driven[type], inputs));
     }
     const auto at = [&](std::size_t channel, std::int64_t step) {
         const auto [type, turn] = blocks.placeOf(blocks.network().nodeOf(channel), step);

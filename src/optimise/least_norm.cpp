@@ -20,6 +20,8 @@ template <typename Number>
 class ActiveSet {
     using Vector = VectorOf<Number>;
     using Matrix = MatrixOf<Number>;
+    using Factors =
+        std::conditional_t<isFine<Number>, UnblockedFactors, Eigen::ColPivHouseholderQR<Matrix>>;
 
 public:
     ActiveSet(const RowSystemOf<Number>& system, double tolerance, double largest)
@@ -95,8 +97,11 @@ private:
         if (active_.empty()) {
             return {};
         }
-        const Matrix columns = system_.rows(active_, Eigen::all).transpose();
-        return Eigen::HouseholderQR<Matrix>(columns).solve(normal);
+        Matrix columns(normal.size(), static_cast<Eigen::Index>(active_.size()));
+        for (std::size_t k = 0; k < active_.size(); ++k) {
+            columns.col(static_cast<Eigen::Index>(k)) = system_.rows.row(active_[k]).transpose();
+        }
+        return Factors(columns).solve(normal);
     }
 
     /// Moves until the row is met. False if it contradicts those in force.
@@ -107,8 +112,8 @@ private:
         while (steps_++ < most) {
             const Vector r = madeOf(normal);
             Vector way = normal;
-            if (!active_.empty()) {
-                way -= system_.rows(active_, Eigen::all).transpose() * r;
+            for (std::size_t k = 0; k < active_.size(); ++k) {
+                way -= r[static_cast<Eigen::Index>(k)] * system_.rows.row(active_[k]).transpose();
             }
             const Number square = way.squaredNorm();
             const bool isFree = way.norm() > dependent<Number> * lengths_[broken.row];

@@ -30,6 +30,10 @@ using MatrixOf = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>;
 template <typename Number>
 using VectorOf = Eigen::Matrix<Number, Eigen::Dynamic, 1>;
 
+/// What Eigen has without blocks, for fine numbers: blocks gain nothing where an operation is a
+/// call, and all that is made of them takes as long to compile as a floor.
+using UnblockedFactors = Eigen::FullPivHouseholderQR<MatrixOf<FineNumber>>;
+
 /// Rows a_i and numbers b_i, equalities first.
 template <typename Number>
 struct RowSystemOf {
