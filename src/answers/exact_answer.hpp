@@ -33,6 +33,7 @@ struct ExactAnswer {
     std::vector<ExactFrequency> frequencies;
     std::vector<ExactBranch> branches;
     bool isComplete = true;
+    std::optional<double> yieldStress = {};  ///< [Pa], the stress is compared with it
 
     [[nodiscard]] Status status() const { return isComplete ? Status::found : Status::undecided; }
 };

@@ -22,6 +22,26 @@ std::string countOf(const ExactAnswer& answer, std::size_t least)
     return fmt::format("at {} of {} frequencies", count, answer.frequencies.size());
 }
 
+/// The largest strain of all motions of the list.
+std::string strainText(const ExactAnswer& answer)
+{
+    double worst = 0.0;
+    std::string text;
+    for (const ExactFrequency& at : answer.frequencies) {
+        for (const ExactMotion& one : at.motions) {
+            const Physical seen = physicalOf(one.motion.extremes, answer.bar);
+            const double strain = std::max(seen.peakCompression, seen.peakTension);
+            if (strain > worst) {
+                worst = strain;
+                text = worstStrainText(strain, seen.peakStress,
+                                       answers::hertzOf(at.frequencyRatio, answer.bar),
+                                       answer.yieldStress);
+            }
+        }
+    }
+    return text;
+}
+
 }  // namespace
 
 std::string asText(const ExactAnswer& answer)
@@ -51,6 +71,7 @@ std::string asText(const ExactAnswer& answer)
         print(text, "worst       force {:.6g} N at {:.6g} Hz\n",
               force * answers::forceUnit(answer.bar), hertz(worst->frequencyRatio));
     }
+    text.append(strainText(answer));
     for (const ExactBranch& branch : answer.branches) {
         const auto& points = branch.curve.points;
         const auto [low, high] = std::minmax_element(
@@ -76,7 +97,8 @@ void writeExactCsv(const std::string& path, const ExactAnswer& answer)
 {
     constexpr std::string_view header =
         "steps,frequency_ratio,frequency,touches,linear_peak,motion,contacts,cycles,contact,"
-        "begin,end,stop,release,impulse,peak_force,speed,phase,growth,attracts,residual";
+        "begin,end,stop,release,impulse,peak_force,speed,phase,growth,attracts,residual,"
+        "peak_compression,peak_tension,peak_stress";
     const Scales unit = scales(answer.bar);
     writeCsv(path, header, [&](CsvRows& row) {
         for (const ExactFrequency& at : answer.frequencies) {
@@ -84,17 +106,19 @@ void writeExactCsv(const std::string& path, const ExactAnswer& answer)
                                                   answers::hertzOf(at.frequencyRatio, answer.bar),
                                                   at.touches, at.linearPeak * unit.displacement);
             if (at.motions.empty()) {
-                row(begin, ",,,,,,,,,,,,,,");
+                row(begin, ",,,,,,,,,,,,,,,,,");
             }
             for (std::size_t k = 0; k < at.motions.size(); ++k) {
                 const auto& [given, motion, stability] = at.motions[k];
+                const Physical physical = physicalOf(motion.extremes, answer.bar);
                 for (std::size_t c = 0; c < motion.contacts.size(); ++c) {
                     const HarmonicContact& one = motion.contacts[c];
                     row(begin, k, motion.contacts.size(), given.cycles, c, one.begin * unit.time,
                         one.end * unit.time, one.stop, answers::releaseOf(one),
                         one.impulse * answers::impulseUnit(answer.bar),
                         one.peakForce * answers::forceUnit(answer.bar), one.speed * unit.velocity,
-                        motion.phase, stability.growth, stability.attracts, motion.residual);
+                        motion.phase, stability.growth, stability.attracts, motion.residual,
+                        physical.peakCompression, physical.peakTension, physical.peakStress);
                 }
             }
         }

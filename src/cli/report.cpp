@@ -371,4 +371,15 @@ std::string yieldText(double stress, std::optional<double> limit, const char* va
                  : "";
 }
 
+std::string worstStrainText(double strain, const std::optional<double>& stress, double hertz,
+                            std::optional<double> yieldStress)
+{
+    std::string text = fmt::format("strain      at most {:.6g} [-] at {:.6g} Hz\n", strain, hertz);
+    if (stress) {
+        text += fmt::format("stress      at most {:.6g} Pa at {:.6g} Hz{}\n", *stress, hertz,
+                            yieldText(*stress, yieldStress, "frequencies"));
+    }
+    return text;
+}
+
 }  // namespace signorini::cli

@@ -128,18 +128,18 @@ void takeFrequencies(const Given& given, ResponseRange& range, const Bar& bar)
 ExitStatus runExact(const Given& given, const CommonOptions& common, const ForceOptions& force,
                     const ResponseRange& asked, const Scene& scene)
 {
-    constexpr std::array others{"--band", "--yield-stress", "--stability",
-                                "--map",  "--map-csv",      "--backbone-csv"};
+    constexpr std::array others{"--band", "--stability", "--map", "--map-csv", "--backbone-csv"};
     if (force.derivative > 0 || asked.contacts > 1 ||
         std::any_of(others.begin(), others.end(), [&](const char* o) { return given.has(o); })) {
         throw std::invalid_argument(
-            "--exact: allowed with --amplitude, --cycles, --csv and --figure; "
+            "--exact: allowed with --amplitude, --cycles, --yield-stress, --csv and --figure; "
             "it says how disturbances grow by itself");
     }
     const auto forceSteps = given.whole("--force-steps");
     refuseIf(forceSteps && !given.has("--figure"), "--force-steps", given.text("--force-steps"),
              "only with --figure");
     answers::ExactAnswer answer{asked, scene, answers::unitsOf(scene), *force.amplitude, {}, {}};
+    answer.yieldStress = yieldStressOf(given, answer.bar);
     Outputs outputs(given, {"--csv", "--figure"});
     const std::vector<std::int64_t> steps = stepsOf(asked);
     watched(common, "frequencies", [&](const Cancel& cancel, const auto& show) {

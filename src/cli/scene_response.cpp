@@ -56,16 +56,8 @@ std::string strainText(const SceneResponse& answer, std::optional<double> yieldS
             }
         }
     }
-    if (!(hertz > 0.0)) {
-        return {};
-    }
-    std::string text =
-        fmt::format("strain      at most {:.6g} [-] at {:.6g} Hz\n", worst.largest(), hertz);
-    if (worst.stress) {
-        text += fmt::format("stress      at most {:.6g} Pa at {:.6g} Hz{}\n", *worst.stress, hertz,
-                            yieldText(*worst.stress, yieldStress, "frequencies"));
-    }
-    return text;
+    return hertz > 0.0 ? worstStrainText(worst.largest(), worst.stress, hertz, yieldStress)
+                       : std::string();
 }
 
 std::string asText(const SceneResponse& answer, std::optional<double> yieldStress)

@@ -554,6 +554,14 @@ TEST_CASE("cli response --exact: curves, and beside them what a staircase has")
                    event == "lost contact" || event == "pin" || event == "end"));
         }
     }
+    const auto text = program.run(
+        "response --exact --cells 10 --damping 0.05 --force tip --amplitude 8e3 --from 0.9 --to "
+        "1.3 --young 2e11 --density 8e3 --area 1e-4 --yield-stress 1GPa --csv e.csv");
+    CHECK(text.status == 0);
+    CHECK_THAT(text.out, containsText("strain      at most") &&
+                             containsText("stress      at most") &&
+                             containsText("of the yield stress"));
+    CHECK_THAT(contentOf(program.file("e.csv")), containsText("peak_stress"));
     const auto drawn = program.run(asked + " --quiet --force-steps 40 --figure exact.svg");
     if (drawn.status != 4) {  // there is gnuplot
         CHECK(drawn.status == 0);
@@ -562,6 +570,7 @@ TEST_CASE("cli response --exact: curves, and beside them what a staircase has")
     }
     for (const std::string& wrong :
          {asked + " --force-steps 40", asked + " --force-steps 0 --figure f.svg",
+          asked + " --yield-stress 1GPa",
           std::string("response --cells 10 --damping 0.05 --force tip "
                       "--amplitude 4e-4 --force-steps 40")}) {
         const auto outcome = program.run(wrong);
