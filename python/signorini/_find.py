@@ -143,10 +143,9 @@ def find(
     if force is not None:
         if not is_timed:
             return _core.find_forced(scheduled(asked))
-        if schedule or where.segments or strain_limit is not None:
+        if schedule or where.segments:
             raise ValueError("period, frequency, hertz: allowed with damping "
-                             "and force only without a schedule, segments and "
-                             "strain_limit")
+                             "and force only without a schedule and segments")
         exact = period_of(times, cells, where.bar, whole("cycles", cycles))
         return _core.find_harmonic(excited({**asked, "numerator": exact.numerator,
                                             "denominator": exact.denominator}))

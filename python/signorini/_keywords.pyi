@@ -77,7 +77,10 @@ class Forced(Excitation, OneBar, total=False):
     scene: Scene | None
     strain_limit: Quantity | None
 
-class ForcedBars(Excitation, Bars): ...
+class ForcedBars(Excitation, Bars, total=False):
+    """The same of several."""
+
+    strain_limit: Quantity | None
 
 class Curve(TypedDict, total=False):
     """What can be asked of a curve."""

@@ -158,7 +158,7 @@ def find_bars(asked: dict[str, Any], times: dict[str, Any], usual: dict[str, Any
     if asked["force"] is None:
         _refuse(asked, usual, _OF_FORCED, "together with force")
         return ask_bars(times, asked)
-    _refuse(asked, usual, (*_OF_FREE, "strain_limit"), "of a schedule, or without force")
+    _refuse(asked, usual, _OF_FREE, "of a schedule, or without force")
     if schedule or asked["amplitude"] is None:
         raise ValueError("period, frequency, hertz: of a forced scene of words allowed without a "
                          "schedule, with amplitude")

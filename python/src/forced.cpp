@@ -86,8 +86,10 @@ HarmonicAnswer findHarmonic(const Asked& asked)
     const auto amplitude = asked.displacement(4.0 * static_cast<double>(cycles) / period.value(),
                                               answers::unitsOf(scene));
     const auto contacts = asked.get<std::int64_t>("contacts");
+    const auto limit = asked.maybe<double>("strain_limit");
     return patiently([=](const Wires&) {
-        return answers::answerOf(period, damping, place, cycles, *amplitude, scene, contacts);
+        return answers::within(
+            limit, answers::answerOf(period, damping, place, cycles, *amplitude, scene, contacts));
     });
 }
 
@@ -100,8 +102,10 @@ answers::SceneHarmonicAnswer findHarmonicBars(const Asked& asked)
     const double period = static_cast<double>(steps) * networkOf(assembly).scales.time;
     const Bar unit;  // L/c of 1 s
     const auto amplitude = asked.displacement(4.0 * static_cast<double>(cycles) / period, unit);
+    const auto limit = asked.maybe<double>("strain_limit");
     return patiently([=](const Wires&) {
-        return answers::answerOf(assembly, place, cycles, steps, *amplitude);
+        return answers::within(limit,
+                               answers::answerOf(assembly, place, cycles, steps, *amplitude));
     });
 }
 

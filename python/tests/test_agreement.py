@@ -153,6 +153,8 @@ def test_amplitudes_of_a_base_agree(program: Program, name: str, value: float) -
           sg.find(6, 30, cells=12, **drive).to_dict())
     alike(program("find", "--frequency", "8/7", *words),
           sg.find(frequency="8/7", **drive).to_dict())
+    alike(program("find", "--frequency", "8/7", "--strain-limit", 1e-5, *words),
+          sg.find(frequency="8/7", strain_limit=1e-5, **drive).to_dict())
     with pytest.raises(ValueError, match="clash|only"):
         sg.response(cells=12, damping=0.05, force="tip", amplitude_velocity=1.0)
     with pytest.raises(ValueError, match="clash"):

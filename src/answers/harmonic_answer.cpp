@@ -46,6 +46,14 @@ HarmonicAnswer answerOf(const ExactPeriod& period, const Damping& damping, Excit
     return answer;
 }
 
+std::optional<std::string> HarmonicLimit::detail() const
+{
+    return beyond > 0 ? std::optional(fmt::format(
+                            "{} motion{} not stay within the limit on strain: computed, not proved",
+                            beyond, beyond == 1 ? " does" : "s do"))
+                      : std::nullopt;
+}
+
 Harmonic HarmonicAnswer::excitation() const
 {
     return {place,
@@ -70,6 +78,9 @@ std::optional<std::string> HarmonicAnswer::detail() const
 {
     if (status() != Status::undecided) {
         return std::nullopt;
+    }
+    if (limit.beyond > 0) {
+        return limit.detail();
     }
     if (contacts > 1) {
         return settledContacts > 0

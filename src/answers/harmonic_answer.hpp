@@ -21,6 +21,28 @@ using HarmonicContactOf = Of<HarmonicContact>;
     return contact.isPinned ? "pinned" : "smooth";
 }
 
+/// A limit on strain that was asked for.
+struct HarmonicLimit {
+    std::optional<double> strain = {};  ///< [-], strain >= -strain
+    std::int64_t beyond = 0;  ///< motions that do not stay within it, which are not listed
+
+    /// Why none is listed; nothing where it is not for the limit.
+    [[nodiscard]] std::optional<std::string> detail() const;
+};
+
+/// An answer with only those motions that stay within a limit on strain [-], if one is given.
+template <typename Answer>
+[[nodiscard]] Answer within(const std::optional<double>& strain, Answer answer)
+{
+    answer.limit.strain = strain;
+    if (strain) {
+        const double most = *strain * (1.0 + harmonicTolerance);
+        answer.limit.beyond = static_cast<std::int64_t>(std::erase_if(
+            answer.motions, [most](const auto& motion) { return motion.compression() > most; }));
+    }
+    return answer;
+}
+
 /// One motion, and what gives it units.
 struct HarmonicMotionOf {
     HarmonicMotion value;
@@ -30,6 +52,7 @@ struct HarmonicMotionOf {
     std::optional<bool> attracts = {};  ///< as growth says and as was tried
 
     [[nodiscard]] Physical physical() const { return physicalOf(value.extremes, bar); }
+    [[nodiscard]] double compression() const { return physical().peakCompression; }
 };
 
 /// All motions with one contact, or with several the one on which a bar at rest settles.
@@ -47,13 +70,14 @@ struct HarmonicAnswer {
     std::int64_t settledCycles = 0;         ///< the period of that
 
     HarmonicCompleteness all = {};  ///< of motions with one contact
+    HarmonicLimit limit = {};
 
-    /// Found, or none if that is proved.
+    /// Found, or none if that is proved; which strains motions have is computed.
     [[nodiscard]] Status status() const
     {
-        return !motions.empty()    ? Status::found
-               : all.flight == 0.0 ? Status::none
-                                   : Status::undecided;
+        return !motions.empty()                         ? Status::found
+               : all.flight == 0.0 && limit.beyond == 0 ? Status::none
+                                                        : Status::undecided;
     }
     /// omega/omega_1 of the excitation.
     [[nodiscard]] double frequencyRatio() const
@@ -121,6 +145,18 @@ void describe(auto& d, Type<HarmonicMotionOf>)
           [](const T& m) { return positive(m.proof.aloneWithin); });
 }
 
+/// Keys of the limit that a record has.
+void describeLimit(auto& d, auto limit)
+{
+    d.key("strain_limit", "- > 0", "Of all motions listed, if any.",
+          partOf(limit)(&HarmonicLimit::strain), When::any);
+    d.key("beyond_limit", "- >= 0", "Motions that do not stay within it, not listed.",
+          partOf(limit)([](const HarmonicLimit& asked) {
+              return asked.strain ? std::optional(asked.beyond) : std::nullopt;
+          }),
+          When::any);
+}
+
 void describe(auto& d, Type<HarmonicAnswer>)
 {
     using T = HarmonicAnswer;
@@ -140,10 +176,12 @@ void describe(auto& d, Type<HarmonicAnswer>)
     d.key("exact_period", "L/c", "c T/L as a fraction.", &T::period);
     d.key("frequency_ratio", "- > 0", "omega/omega_1 of the excitation.", &T::frequencyRatio);
     d.key("motions", "-", "By ascending impulse.", &T::motions);
+    describeLimit(d, &T::limit);
     d.key(
         "complete_from", "s >= 0",
         "Enclosed numbers prove that no motion with one contact is left out that flies as long or "
-        "longer; 0: none at all. Nothing where they do not, or of several contacts.",
+        "longer, but for those beyond a limit on strain; 0: none at all. Nothing where they do "
+        "not, or of several contacts.",
         &T::completeFrom);
     d.key("rests", "-",
           "May the tip, pressed at rest, stay on a stop for good, without a flight? Nothing where "

@@ -92,10 +92,11 @@ std::optional<double> SceneHarmonicAnswer::frequencyRatio() const
 
 std::optional<std::string> SceneHarmonicAnswer::detail() const
 {
-    return status() == Status::undecided
-               ? std::optional<std::string>(
-                     "no motion with one contact in a period: computed, not proved")
-               : std::nullopt;
+    if (status() != Status::undecided) {
+        return std::nullopt;
+    }
+    const auto beyond = limit.detail();
+    return beyond ? beyond : "no motion with one contact in a period: computed, not proved";
 }
 
 }  // namespace signorini::answers

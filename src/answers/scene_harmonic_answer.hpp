@@ -32,6 +32,7 @@ struct SceneHarmonicMotion {
     SceneStrains strains = {};
     std::optional<InSteps> inSteps = {};
 
+    [[nodiscard]] double compression() const { return strains.compression; }
     [[nodiscard]] const char* release() const
     {
         return !inSteps ? releaseOf(value) : inSteps->opens ? "step" : "never";
@@ -47,6 +48,7 @@ struct SceneHarmonicAnswer {
     NetworkScales scales;
     SeveralBars bars;
     std::vector<SceneHarmonicMotion> motions;  ///< by ascending impulse
+    HarmonicLimit limit = {};
 
     [[nodiscard]] Status status() const
     {
@@ -120,6 +122,7 @@ void describe(auto& d, Type<SceneHarmonicAnswer>)
     d.key("frequency_ratio", "- > 0", "The same in omega_1 of these bars, if they vibrate.",
           &T::frequencyRatio);
     d.key("motions", "-", "By ascending impulse.", &T::motions);
+    describeLimit(d, &T::limit);
     describeBarsAndContacts(d, &T::bars);
     d.key("detail", "-", "Why it is not decided.", &T::detail, When::undecided);
 }

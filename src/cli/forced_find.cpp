@@ -81,9 +81,10 @@ ExitStatus answerHarmonic(const FindCommand& call)
     const ForceOptions displaced = force.at(frequencyRatio * firstHertz(scene.bar));
     (void)displaced.scaledAmplitude(scene.bar);
     const Interrupt interrupt;
-    const answers::HarmonicAnswer answer =
+    const answers::HarmonicAnswer answer = answers::within(
+        call.given.number("--strain-limit"),
         answers::answerOf(period, force.damping(), *force.place, call.cycles, *displaced.amplitude,
-                          scene, call.given.whole("--contacts").value_or(1), interrupt.cancel());
+                          scene, call.given.whole("--contacts").value_or(1), interrupt.cancel()));
     if (answer.motions.empty()) {
         files.lackMotion();
     } else if (files.areOfMotion()) {

@@ -1,5 +1,5 @@
 #include "reports.hpp"
-
+#include "scene_find.hpp"
 #include "text.hpp"
 
 namespace signorini::cli {
@@ -127,12 +127,13 @@ std::string asText(const answers::HarmonicAnswer& answer)
                       : " (tried: disturbed a little, 150 periods)");
         }
     }
+    print(text, "{}", limitText(answer.limit));
     if (answer.all.rests.value_or(false)) {
         print(text, "rests       the tip may stay on a stop for good, without a flight\n");
     }
     if (const auto flight = answer.completeFrom(); flight && answer.status() != Status::undecided) {
         print(text, "all         interval arithmetic: no {}motion with one contact in a period{}\n",
-              answer.motions.empty() ? "" : "other ",
+              answer.motions.empty() && answer.limit.beyond == 0 ? "" : "other ",
               *flight > 0.0 ? fmt::format(" that flies for {:.6g} s or more", *flight) : "");
     }
     if (const auto detail = answer.detail()) {

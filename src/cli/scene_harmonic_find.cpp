@@ -35,6 +35,7 @@ std::string asText(const answers::SceneHarmonicAnswer& answer)
                             value.speed * scales.velocity());
         text += cli::asText(motion.strains);
     }
+    text += limitText(answer.limit);
     if (const auto detail = answer.detail()) {
         text += fmt::format("why         {}\n", *detail);
     }
@@ -49,7 +50,7 @@ ExitStatus findHarmonicInBars(const FindCommand& call, const Assembly& assembly)
     force.requirePlace();
     force.requireAmplitude();
     refuseIf(call.given.has("--stability"), "--stability: allowed only of a schedule");
-    for (const char* name : {"--state", "--certificate", "--strain-limit"}) {
+    for (const char* name : {"--state", "--certificate"}) {
         refuseIf(call.given.has(name), name, call.given.text(name),
                  "none with --period, --frequency and --hertz of several bars or segments");
     }
@@ -63,8 +64,9 @@ ExitStatus findHarmonicInBars(const FindCommand& call, const Assembly& assembly)
     const std::int64_t steps = answers::stepsOf(assembly, call.question.ofBars(), call.cycles);
     const double hertz =
         static_cast<double>(call.cycles) / (static_cast<double>(steps) * network.scales.time);
-    const answers::SceneHarmonicAnswer answer =
-        answers::answerOf(assembly, *force.place, call.cycles, steps, *force.at(hertz).amplitude);
+    const answers::SceneHarmonicAnswer answer = answers::within(
+        call.given.number("--strain-limit"),
+        answers::answerOf(assembly, *force.place, call.cycles, steps, *force.at(hertz).amplitude));
     if (answer.motions.empty()) {
         files.lackMotion();
     } else {  // the last one has the largest impulse

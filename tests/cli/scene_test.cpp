@@ -384,6 +384,14 @@ TEST_CASE("cli scenes: files and strains under an exact harmonic are those of th
     const json physical = program.find(bar, 0)["motions"][0]["physical"];
     CHECK(strains["peak_compression"].get<double>() ==
           Approx(physical["peak_compression"].get<double>()).epsilon(1e-9));
+    const double deepest = strains["peak_compression"].get<double>();
+    const auto limited = [&](double limit) {
+        return words + fmt::format(" --strain-limit {:.17g}", limit);
+    };
+    CHECK(program.find(limited(deepest), 0)["beyond_limit"] == 0);
+    const json beyond = program.find(limited(0.99 * deepest), 3);
+    CHECK(beyond["beyond_limit"] == 1);
+    CHECK_THAT(beyond["detail"].get<std::string>(), containsText("1 motion does not stay within"));
     REQUIRE(row.size() == one.size());
     double largest = 0.0;
     for (std::size_t k = 0; k < row.size(); ++k) {

@@ -76,8 +76,11 @@ CALLS = [
     ("find-forced", f"find 8 72 --cells 20 {FORCE}"),
     ("find-forced", "find 8 72 --cells 20 --damping 0.05 --force base"),
     ("find-harmonic", f"find --frequency 1.1 {FORCE}"),
+    ("find-harmonic", f"find --frequency 1.1 {FORCE} --strain-limit 1e-9"),
     ("find-harmonic-bars", "find --period 21/14 --scene 'clamp 6 dash=0.1 driven gap=1e-3 8 dash=0.2 2 clamp'"
      " --force tip --amplitude 2e-3"),
+    ("find-harmonic-bars", "find --period 21/14 --scene 'clamp 6 dash=0.1 driven gap=1e-3 8 dash=0.2 2 clamp'"
+     " --force tip --amplitude 2e-3 --strain-limit 1e-2"),
     ("response-bars", "response --exact --from 0.4Hz --to 0.7Hz --scene 'clamp 6 dash=0.1 driven gap=1e-3 8 dash=0.2 2"
      " clamp' --force tip --amplitude 2e-3"),
     ("response-bars", "response --exact --from 0.9 --to 1.4 --segments 6:1,6:1.3 --damping 0.03 --force base"
