@@ -50,10 +50,8 @@ ExitStatus findHarmonicInBars(const FindCommand& call, const Assembly& assembly)
     force.requirePlace();
     force.requireAmplitude();
     refuseIf(call.given.has("--stability"), "--stability: allowed only of a schedule");
-    for (const char* name : {"--state", "--certificate"}) {
-        refuseIf(call.given.has(name), name, call.given.text(name),
-                 "none with --period, --frequency and --hertz of several bars or segments");
-    }
+    refuseIf(call.given.has("--certificate"), "--certificate", call.given.text("--certificate"),
+             "none with --period, --frequency and --hertz of several bars or segments");
     refuseIf(!call.given.words().empty(),
              "NC NF clash with --period, --frequency and --hertz: allowed one of them");
     refuseIf(call.given.whole("--contacts").value_or(1) != 1, "--contacts",

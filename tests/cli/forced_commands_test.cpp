@@ -329,12 +329,17 @@ TEST_CASE("cli find: a period in place of a schedule has motions on no grid")
     const json pressed = parsed(program, "find --period 10/3 --gap -1e-3" + force, 1);
     CHECK(pressed["complete_from"] == 0.0);
     CHECK(pressed["rests"] == true);
+    for (const char* bar : {"--damping 0.1", "--scene 'clamp 6 dash=0.1 driven stop=1e-3'"}) {
+        const auto refused = program.run(
+            fmt::format("find --period 18/5 {} --force tip --amplitude 1e-4 --state s.csv", bar));
+        CHECK(refused.status == 2);
+        CHECK_THAT(refused.err, containsText("constant on pieces") && containsText("allowed"));
+    }
     for (const char* wrong :
          {"find --period 18/5 --damping 0 --force tip --amplitude 1e-4",
           "find --period 18/5 --damping 0.1 --force tip",
           "find --period 18/5 --contacts 61 --damping 0.1 --force tip --amplitude 1e-4",
           "find --period 1.23456789 --damping 0.1 --force tip --amplitude 1e-4",
-          "find --period 18/5 --damping 0.1 --force tip --amplitude 1e-4 --state s.csv",
           "find --period 18/5 --damping 0.1 --force tip --amplitude 1e-4 --energy 1"}) {
         const auto outcome = program.run(wrong);
         INFO(wrong << "\n" << outcome.err);
