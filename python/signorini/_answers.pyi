@@ -620,6 +620,8 @@ class SceneHarmonicResult(_Found, _Framed, _MovingEach, _OfBars, _Excited):
     frequency: float
     frequency_ratio: Optional[float]
     motions: list[SceneHarmonicMotion]
+    strain_limit: Optional[float]
+    beyond_limit: Optional[int]
     contacts: list[SceneContact]
     detail: Optional[str]
 
@@ -731,6 +733,8 @@ class HarmonicResult(_Found, _Framed, _MovingEach, _OfScene, _InPeriod, _Excited
     amplitude: float
     exact_period: tuple[int, int]
     motions: list[HarmonicMotion]
+    strain_limit: Optional[float]
+    beyond_limit: Optional[int]
     complete_from: Optional[float]
     rests: Optional[bool]
     detail: Optional[str]
