@@ -97,7 +97,7 @@ TEST_CASE("cli: long work shows a line on a terminal, and only there")
     }
     const std::string find = "find 1000 6000 --cells 2000 --formulation state --solver ";
     if (signorini::findBackend("ipopt").available()) {
-        CHECK_THAT(shownBy(program, find + "ipopt --objective min-energy"),
+        CHECK_THAT(shownBy(program, find + "ipopt --objective min-energy --time-limit 3"),
                    containsText("\rfinding a motion, 1 s"));
     }
     const std::string trace = std::string("continuum 150 900 --energy-ratio 20 --points ") +
