@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <utility>
+#include <vector>
 
 #include "faults.hpp"
 #include "units.hpp"
@@ -132,6 +133,26 @@ std::string inWords(unsigned questions)
         }
     }
     return text;
+}
+
+std::string commandsOf(unsigned questions)
+{
+    using namespace asks;
+    constexpr std::array names{
+        std::pair{find, "find"},         std::pair{continuum, "continuum"},
+        std::pair{families, "families"}, std::pair{modes, "modes"},
+        std::pair{mode, "mode"},         std::pair{atlas | atlasQuery, "atlas"},
+        std::pair{response, "response"}, std::pair{simulation, "simulate"},
+        std::pair{asks::sweep, "sweep"}, std::pair{scene, "scene"},
+        std::pair{study, "study"},
+    };
+    std::vector<std::string_view> those;
+    for (const auto& [some, name] : names) {
+        if ((questions & some) != 0) {
+            those.emplace_back(name);
+        }
+    }
+    return fmt::format("{}", fmt::join(those, ", "));
 }
 
 std::string Option::allowed() const

@@ -80,6 +80,9 @@ inline constexpr double likelyPercent = 1.0;
 /// The one of this name that one of the questions takes; nullptr: none.
 [[nodiscard]] const Option* optionOf(unsigned questions, std::string_view name);
 
+/// "find, continuum, sweep": the commands that ask some of these questions.
+[[nodiscard]] std::string commandsOf(unsigned questions);
+
 /// What makes a call one of these questions: "NC NF", "NC NF or --period, --frequency, --hertz".
 [[nodiscard]] std::string inWords(unsigned questions);
 

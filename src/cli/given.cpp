@@ -38,6 +38,18 @@ std::size_t valuesOf(const Option& option)
                                                     option.type.begin(), option.type.end(), ' '));
 }
 
+/// Which commands an option belongs to that this one does not take, or what it was meant to be.
+std::string otherwise(const std::string& word, const std::vector<std::string>& names)
+{
+    const std::string name = word.substr(0, word.find('='));
+    unsigned questions = 0;
+    for (const Option& option : answers::options()) {
+        questions |= option.name == name ? option.of : 0U;
+    }
+    return questions != 0 ? fmt::format(": allowed with {}", answers::commandsOf(questions))
+                          : didYouMean(word, names);
+}
+
 std::string padded(std::string_view left, std::string_view right)
 {
     constexpr std::size_t column = 30;
@@ -142,7 +154,7 @@ void Given::refuseUnknown(const std::vector<std::string>& words) const
                 : refuse("number", word, "numbers > 0, each after an option that takes it");
         }
         text += (text.empty() ? "" : " ") + shortened(word);
-        hint += hint.empty() && word.starts_with("--") ? didYouMean(word, names) : "";
+        hint += hint.empty() && word.starts_with("--") ? otherwise(word, names) : "";
     }
     throw std::invalid_argument(
         hint.empty() ? fmt::format("{} is not expected; see signorini --help", text)

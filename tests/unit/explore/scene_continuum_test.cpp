@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "catch.hpp"
+#include "sanitized.hpp"
 #include "scene_vertices.hpp"
 #include "signorini/continuum.hpp"
 #include "support.hpp"
@@ -280,7 +281,7 @@ TEST_CASE("two stops: as many components of an energy as the vertices of cddlib 
         CHECK(range.most == Approx(most).epsilon(1e-12));
         for (const double part : {0.2, 0.5, 0.8}) {
             const double energy = std::lerp(range.least, range.most, part);
-            if (!(range.least < range.most)) {
+            if (!(range.least < range.most) || (test::isSanitized && part != 0.5)) {
                 continue;
             }
             Continuum curve;
@@ -297,8 +298,8 @@ TEST_CASE("two stops: as many components of an energy as the vertices of cddlib 
             }
         }
     }
-    CHECK(several >= 5);
-    CHECK(varying >= 5);
+    CHECK(several >= test::drawn(5));
+    CHECK(varying >= test::drawn(5));
 }
 
 TEST_CASE("two stops: both carry the same split pulse, mirrored, without a solver")
