@@ -139,15 +139,6 @@ std::optional<double> Asked::displacement(double frequencyRatio, const Bar& bar)
     return amplitude && derivative > 0 ? displacementAt(hertz, *amplitude, derivative) : amplitude;
 }
 
-bool Asked::triesStability(std::int64_t steps) const
-{
-    const bool isAsked = get<bool>("stability");
-    if (isAsked) {
-        answers::requireTried(steps);
-    }
-    return isAsked;
-}
-
 double Asked::strainLimit(double unit) const
 {
     const auto limit = maybe<double>("strain_limit");

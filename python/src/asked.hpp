@@ -108,8 +108,6 @@ public:
     /// "amplitude" [N] or [m], where "derivative" is not 0 that of a base which moves with so many
     /// ω/ω₁.
     [[nodiscard]] std::optional<double> displacement(double frequencyRatio, const Bar& bar) const;
-    /// "stability". \throws std::invalid_argument where a period has too many steps.
-    [[nodiscard]] bool triesStability(std::int64_t steps) const;
     /// "strain_limit" in such units, or infinity.
     [[nodiscard]] double strainLimit(double unit) const;
 

@@ -8,11 +8,30 @@
 #include "arrays.hpp"
 #include "asked.hpp"
 #include "described.hpp"
+#include "find_answer.hpp"
 #include "patience.hpp"
 
 namespace signorini::python {
 
 namespace py = pybind11;
+
+/// What `find(wires)` answers, tried beside its motions if "stability" is asked for.
+/// \throws std::invalid_argument where a period then has too many steps.
+template <typename Find>
+[[nodiscard]] auto findPatiently(const Asked& asked, std::int64_t steps, Find find)
+{
+    const bool triesStability = asked.get<bool>("stability");
+    if (triesStability) {
+        answers::requireTried(steps);
+    }
+    return patiently([=](const Wires& wires) mutable {
+        auto answer = find(wires);
+        if (triesStability) {
+            tryStability(answer, wires.cancel);
+        }
+        return answer;
+    });
+}
 
 void addFind(py::module_& module);
 void addContinuum(py::module_& module);

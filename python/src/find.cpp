@@ -79,18 +79,13 @@ Answer find(const Asked& asked)
         how = fmt::format("a state of {} cells", target->value->cells());
         options.target = *target->value;
     }
-    const bool triesStability = asked.triesStability(steps(schedule));
-    if (!triesStability && isQuick(schedule, options)) {
+    if (!asked.get<bool>("stability") && isQuick(schedule, options)) {
         const py::gil_scoped_release release;
         return answers::answerOf(findPeriodic(schedule, options), options, how);
     }
-    return patiently([=](const Wires& wires) mutable {
+    return findPatiently(asked, steps(schedule), [=](const Wires& wires) mutable {
         options.cancel = wires.cancel;
-        Answer answer = answers::answerOf(findPeriodic(schedule, options), options, how);
-        if (triesStability) {
-            tryStability(answer, wires.cancel);
-        }
-        return answer;
+        return answers::answerOf(findPeriodic(schedule, options), options, how);
     });
 }
 

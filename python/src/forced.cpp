@@ -63,14 +63,9 @@ ForcedAnswer findForced(const Asked& asked)
                                                   static_cast<double>(forcing.cycles) /
                                                   static_cast<double>(steps(schedule)),
                                               bar);
-    const bool triesStability = asked.triesStability(steps(schedule));
-    return patiently([=](const Wires& wires) {
-        ForcedAnswer answer = answers::answerOf(
-            forcedMotions(schedule, damping, forcing, limits, scene.segments), scene, amplitude);
-        if (triesStability) {
-            tryStability(answer, wires.cancel);
-        }
-        return answer;
+    return findPatiently(asked, steps(schedule), [=](const Wires&) {
+        return answers::answerOf(forcedMotions(schedule, damping, forcing, limits, scene.segments),
+                                 scene, amplitude);
     });
 }
 

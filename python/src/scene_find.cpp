@@ -61,15 +61,9 @@ SceneFindAnswer findInBars(const Asked& asked)
 {
     const AskedBars of(asked);
     AskedWish asks(asked, of.assembly, of.network);
-    const bool triesStability = asked.triesStability(stepsOf(of.schedule));
-    return patiently([=](const Wires& wires) mutable {
+    return findPatiently(asked, stepsOf(of.schedule), [=](const Wires& wires) mutable {
         asks.options.cancel = wires.cancel;
-        SceneFindAnswer answer =
-            answers::answerOf(of.assembly, of.network, of.schedule, asks.wish, asks.options);
-        if (triesStability) {
-            tryStability(answer, of.network, wires.cancel);
-        }
-        return answer;
+        return answers::answerOf(of.assembly, of.network, of.schedule, asks.wish, asks.options);
     });
 }
 
@@ -80,15 +74,10 @@ SceneQuestionAnswer findPeriodInBars(const Asked& asked)
     answers::limitStrain(network, assembly, asked.maybe<double>("strain_limit"));
     const std::int64_t steps = asked.steps(assembly, 1);
     AskedWish asks(asked, assembly, network);
-    const bool triesStability = asked.triesStability(steps);
-    return patiently([=](const Wires& wires) mutable {
+    return findPatiently(asked, steps, [=](const Wires& wires) mutable {
         asks.options.cancel = wires.cancel;
-        SceneQuestionAnswer answer =
-            answers::questionOf(assembly, network, steps, asks.wish, asks.options, wires.progress);
-        if (triesStability) {
-            tryStability(answer, network, wires.cancel);
-        }
-        return answer;
+        return answers::questionOf(assembly, network, steps, asks.wish, asks.options,
+                                   wires.progress);
     });
 }
 
@@ -101,14 +90,8 @@ SceneForcedAnswer findForcedInBars(const Asked& asked)
     const auto amplitude =
         first > 0.0 ? asked.displacement(hertz / first, answers::unitsOf(of.assembly, of.network))
                     : asked.maybe<double>("amplitude");
-    const bool triesStability = asked.triesStability(stepsOf(of.schedule));
-    return patiently([=](const Wires& wires) {
-        SceneForcedAnswer answer =
-            answers::forcedAnswerOf(of.assembly, of.network, of.schedule, forcing, amplitude);
-        if (triesStability) {
-            tryStability(answer, of.network, wires.cancel);
-        }
-        return answer;
+    return findPatiently(asked, stepsOf(of.schedule), [=](const Wires&) {
+        return answers::forcedAnswerOf(of.assembly, of.network, of.schedule, forcing, amplitude);
     });
 }
 

@@ -105,16 +105,17 @@ SceneFindAnswer answerOf(const Assembly& assembly, const Network& network,
                          options)};
 }
 
-void tryStability(SceneFindAnswer& answer, const Network& network, const Cancel& cancel)
+void tryStability(SceneFindAnswer& answer, const Cancel& cancel)
 {
     const auto& motion = answer.motions.motion;
     if (motion && answer.motions.energy > 0.0) {
-        answer.stability = stabilityIn(network, *motion, cancel);
+        answer.stability = stabilityIn(answer.schedule.network(), *motion, cancel);
     }
 }
 
-void tryStability(SceneForcedAnswer& answer, const Network& network, const Cancel& cancel)
+void tryStability(SceneForcedAnswer& answer, const Cancel& cancel)
 {
+    const Network network = answer.schedule.network();
     for (SceneForcedMotion& motion : answer.motions) {
         motion.stability = stabilityIn(network, motion.claim, cancel);
     }

@@ -133,7 +133,7 @@ struct SceneFindAnswer {
                                        const NetworkWish& wish, const FindOptions& options);
 
 /// Starts beside the motion, if there is one, and its waves are not 0.
-void tryStability(SceneFindAnswer& answer, const Network& network, const Cancel& cancel);
+void tryStability(SceneFindAnswer& answer, const Cancel& cancel);
 
 /// A forced motion, and what was seen of it.
 struct SceneForcedMotion {
@@ -182,7 +182,7 @@ struct SceneForcedAnswer {
                                                const std::optional<double>& amplitude);
 
 /// Starts beside each motion.
-void tryStability(SceneForcedAnswer& answer, const Network& network, const Cancel& cancel);
+void tryStability(SceneForcedAnswer& answer, const Cancel& cancel);
 
 void describe(auto& d, Type<ContactSpan>)
 {

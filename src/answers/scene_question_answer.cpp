@@ -47,10 +47,10 @@ SceneQuestionAnswer questionOf(const Assembly& assembly, const Network& network,
     return answer;
 }
 
-void tryStability(SceneQuestionAnswer& answer, const Network& network, const Cancel& cancel)
+void tryStability(SceneQuestionAnswer& answer, const Cancel& cancel)
 {
     for (SceneFindAnswer& motion : answer.motions) {
-        tryStability(motion, network, cancel);
+        tryStability(motion, cancel);
     }
 }
 

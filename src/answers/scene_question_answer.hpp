@@ -37,7 +37,7 @@ struct SceneQuestionAnswer {
                                              const std::function<void(double, double)>& show);
 
 /// Starts beside each motion.
-void tryStability(SceneQuestionAnswer& answer, const Network& network, const Cancel& cancel);
+void tryStability(SceneQuestionAnswer& answer, const Cancel& cancel);
 
 void describe(auto& d, Type<SceneSet>)
 {

@@ -38,13 +38,12 @@ struct FindCommand {
     [[nodiscard]] bool triesStability() const { return given.has("--stability"); }
     /// \throws std::invalid_argument if --stability is asked for and a period has too many steps.
     void requireTried(std::int64_t steps) const;
-    /// Starts beside the motions of an answer, `of` a network, if --stability is asked for.
-    template <typename Answer, typename... Of>
-    void tryIfAsked(Answer& answer, const Of&... of) const
+    /// Starts beside the motions of an answer, if --stability is asked for.
+    void tryIfAsked(auto& answer) const
     {
         if (triesStability()) {
             const Interrupt interrupt;
-            tryStability(answer, of..., interrupt.cancel());
+            tryStability(answer, interrupt.cancel());
         }
     }
 

@@ -209,7 +209,7 @@ ExitStatus findInScene(const FindCommand& command)
         answers::answerOf(scene.assembly, scene.network, scene.schedule,
                           wishOf(command, scene.assembly, scene.network), options);
     if (command.triesStability()) {
-        tryStability(answer, scene.network, options.cancel);
+        tryStability(answer, options.cancel);
     }
     if (const auto strains = answer.strains()) {
         warnOf(*strains, command);

@@ -54,7 +54,7 @@ ExitStatus findForcedInScene(const FindCommand& command)
     answers::SceneForcedAnswer answer =
         answers::forcedAnswerOf(scene.assembly, scene.network, scene.schedule, forcing,
                                 force.amplitude ? force.at(hertz).amplitude : std::nullopt);
-    command.tryIfAsked(answer, scene.network);
+    command.tryIfAsked(answer);
     for (const answers::SceneForcedMotion& one : answer.motions) {
         warnOf(one.strains, command);
     }

@@ -64,7 +64,7 @@ ExitStatus findPeriodInBars(const FindCommand& call, const Assembly& assembly)
             SceneQuestionAnswer decided =
                 answers::questionOf(assembly, network, steps, wish, options, show);
             if (call.triesStability()) {
-                tryStability(decided, network, cancel);
+                tryStability(decided, cancel);
             }
             return decided;
         });
