@@ -59,13 +59,11 @@ ForcedAnswer findForced(const Asked& asked)
     const Damping damping = asked.damping();
     const Forcing forcing{asked.place(), asked.get<std::int64_t>("cycles"), {}};
     const ForcedLimits limits{asked.strainLimit(scales(bar).strain)};
-    const auto amplitude = asked.displacement(4.0 * static_cast<double>(schedule.cells) *
-                                                  static_cast<double>(forcing.cycles) /
-                                                  static_cast<double>(steps(schedule)),
-                                              bar);
+    const auto amplitude = asked.maybe<double>("amplitude");
+    const auto derivative = asked.get<int>("derivative");
     return findPatiently(asked, steps(schedule), [=](const Wires&) {
         return answers::answerOf(forcedMotions(schedule, damping, forcing, limits, scene.segments),
-                                 scene, amplitude);
+                                 scene, amplitude, derivative);
     });
 }
 
@@ -82,9 +80,9 @@ HarmonicAnswer findHarmonic(const Asked& asked)
                                               answers::unitsOf(scene));
     const auto contacts = asked.get<std::int64_t>("contacts");
     const auto limit = asked.maybe<double>("strain_limit");
-    return patiently([=](const Wires&) {
-        return answers::within(
-            limit, answers::answerOf(period, damping, place, cycles, *amplitude, scene, contacts));
+    return patiently([=](const Wires& wires) {
+        return answers::within(limit, answers::answerOf(period, damping, place, cycles, *amplitude,
+                                                        scene, contacts, wires.cancel));
     });
 }
 
@@ -94,13 +92,12 @@ answers::SceneHarmonicAnswer findHarmonicBars(const Asked& asked)
     const auto cycles = asked.get<std::int64_t>("cycles");
     const std::int64_t steps = asked.steps(assembly, cycles);
     const Excited place = asked.place();
-    const double period = static_cast<double>(steps) * networkOf(assembly).scales.time;
-    const Bar unit;  // L/c of 1 s
-    const auto amplitude = asked.displacement(4.0 * static_cast<double>(cycles) / period, unit);
+    const auto amplitude = asked.get<double>("amplitude");
+    const auto derivative = asked.get<int>("derivative");
     const auto limit = asked.maybe<double>("strain_limit");
     return patiently([=](const Wires&) {
-        return answers::within(limit,
-                               answers::answerOf(assembly, place, cycles, steps, *amplitude));
+        return answers::within(
+            limit, answers::answerOf(assembly, place, cycles, steps, amplitude, derivative));
     });
 }
 
@@ -163,19 +160,12 @@ ResponseAnswer response(const Asked& asked)
     const bool stability = asked.get<bool>("stability");
     return patiently(
         [answer, stability, threads](const Wires& wires) mutable {
-            const std::vector<std::int64_t> steps = stepsOf(answer.range);
-            const auto make = [&](std::size_t k) {
-                auto response = responseAt(answer.range, steps[k], wires.cancel);
-                if (response && stability) {
-                    for (ForcedMotion& motion : response->motions) {
-                        answers::tryStability(motion, answer.range.segments, wires.cancel);
-                    }
-                }
-                return isRequested(wires.cancel) ? std::nullopt : std::move(response);
-            };
-            answer.frequencies =
-                shareOut(std::vector<std::optional<FrequencyResponse>>(steps.size()), threads, make,
-                         wires.progress);
+            answer.frequencies = shareOut(
+                stepsOf(answer.range), threads,
+                [&](std::int64_t n) {
+                    return answers::frequencyAt(answer.range, n, stability, wires.cancel);
+                },
+                wires.progress);
             return answer;
         },
         asked.progress());
@@ -190,10 +180,9 @@ ExactAnswer exactResponse(const Asked& asked)
         [question, threads](const Wires& wires) {
             ExactAnswer answer{
                 question.range, question.scene, question.bar, question.amplitude, {}, {}};
-            const std::vector<std::int64_t> steps = stepsOf(answer.range);
             answer.frequencies = shareOut(
-                std::vector<std::optional<ExactFrequency>>(steps.size()), threads,
-                [&](std::size_t k) { return exactAt(answer.range, steps[k], wires.cancel); },
+                stepsOf(answer.range), threads,
+                [&](std::int64_t n) { return exactAt(answer.range, n, wires.cancel); },
                 wires.progress);
             answer.branches = exactBranches(answer.range, answer.frequencies, wires.cancel);
             return answer;
@@ -205,15 +194,16 @@ answers::SceneResponse responseOfBars(const Asked& asked)
 {
     const Assembly assembly = asked.assembly();
     const Network network = networkOf(assembly);
-    const double first = referenceOf(network).frequency / (2.0 * std::numbers::pi);
+    const double first = answers::firstHertz(referenceOf(network));
+    const bool vibrates = first > 0.0;
+    const Bar units =  // or one whose omega_1 is 1 Hz
+        vibrates ? answers::unitsOf(assembly, network) : Bar{.waveSpeed = 4.0};
     const auto hertz = [&](const char* name) {
-        if (!(first > 0.0) && !py::isinstance<py::str>(asked.object(name))) {
+        if (!vibrates && !py::isinstance<py::str>(asked.object(name))) {
             throw std::invalid_argument(
                 fmt::format("{}: allowed text in Hz, \"530Hz\": these bars do not vibrate", name));
         }
-        const Bar unit{.waveSpeed = 4.0};  // its omega_1 is 1 Hz
-        return first > 0.0 ? asked.frequency(name, answers::unitsOf(assembly, network)) * first
-                           : asked.frequency(name, unit);
+        return asked.frequency(name, units) * (vibrates ? first : 1.0);
     };
     const answers::SceneRange range{asked.place(),
                                     asked.get<double>("amplitude"),
@@ -227,10 +217,9 @@ answers::SceneResponse responseOfBars(const Asked& asked)
     return patiently(
         [=](const Wires& wires) {
             answers::SceneResponse answer = answers::responseOf(assembly, range);
-            const std::vector<std::int64_t> steps = stepsOf(answer);
             answer.frequencies = shareOut(
-                std::vector<std::optional<answers::SceneFrequency>>(steps.size()), threads,
-                [&](std::size_t k) { return frequencyAt(answer, steps[k], wires.cancel); },
+                stepsOf(answer), threads,
+                [&](std::int64_t n) { return frequencyAt(answer, n, wires.cancel); },
                 wires.progress);
             return answer;
         },
@@ -251,11 +240,7 @@ void addForced(py::module_& module)
             return motionFigure(a.motions.at(k).value, a.scene);
         })
         .moves([](const ForcedAnswer& a, std::size_t most, std::size_t k) {
-            const ForcedMotion& one = a.motions.at(k).value;
-            const std::vector<Segment> uniform{{.cells = one.schedule.cells}};
-            const Motion field(one.state, one.schedule,
-                               a.scene.segments.empty() ? uniform : a.scene.segments, one.damping,
-                               one.excitation);
+            const Motion field = answers::fieldOf(a.motions.at(k).value, a.scene.segments);
             return motionFrames(MotionSamples(field, a.scene), most);
         });
     addCall(module, "find_forced", &findForced);

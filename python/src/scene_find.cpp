@@ -1,7 +1,5 @@
 #include "calls.hpp"
 
-#include <numbers>
-
 #include "demand_names.hpp"
 #include "scene_continuum_answer.hpp"
 #include "scene_figures.hpp"
@@ -85,13 +83,11 @@ SceneForcedAnswer findForcedInBars(const Asked& asked)
 {
     const AskedBars of(asked);
     const Forcing forcing{asked.place(), asked.get<std::int64_t>("cycles"), {}};
-    const double first = referenceOf(of.network).frequency / (2.0 * std::numbers::pi);
-    const double hertz = static_cast<double>(forcing.cycles) / periodOf(of.network, of.schedule);
-    const auto amplitude =
-        first > 0.0 ? asked.displacement(hertz / first, answers::unitsOf(of.assembly, of.network))
-                    : asked.maybe<double>("amplitude");
+    const auto amplitude = asked.maybe<double>("amplitude");
+    const auto derivative = asked.get<int>("derivative");
     return findPatiently(asked, stepsOf(of.schedule), [=](const Wires&) {
-        return answers::forcedAnswerOf(of.assembly, of.network, of.schedule, forcing, amplitude);
+        return answers::forcedAnswerOf(of.assembly, of.network, of.schedule, forcing, amplitude,
+                                       derivative);
     });
 }
 

@@ -24,15 +24,30 @@ bool lacksMotions(ForcedAnswer& answer, auto least, auto ofAmplitude)
 
 }  // namespace
 
-ForcedAnswer answerOf(ForcedSet set, const Scene& scene, std::optional<double> asked)
+ForcedAnswer answerOf(ForcedSet set, const Scene& scene, std::optional<double> asked,
+                      int derivative)
 {
     ForcedAnswer answer{std::move(set), scene, unitsOf(scene), asked, {}};
+    if (asked && derivative > 0) {
+        const Schedule& schedule = answer.set.schedule;
+        const double ratio = 4.0 * static_cast<double>(schedule.cells) *
+                             static_cast<double>(answer.set.forcing.cycles) /
+                             static_cast<double>(steps(schedule));
+        answer.asked = displacementAt(ratio * (0.25 / scales(answer.bar).time), *asked, derivative);
+    }
     const auto ofAmplitude = [&](double size) { return motionsOfAmplitude(answer.set, size); };
     if (lacksMotions(
             answer, [&] { return leastAmplitudeMotion(answer.set); }, ofAmplitude)) {
-        answer.exclusion = exclusionOf(answer.set, *asked / answer.unit());
+        answer.exclusion = exclusionOf(answer.set, *answer.asked / answer.unit());
     }
     return answer;
+}
+
+Motion fieldOf(const ForcedMotion& motion, const std::vector<Segment>& segments)
+{
+    const std::vector<Segment> uniform{{.cells = motion.schedule.cells}};
+    return {motion.state, motion.schedule, segments.empty() ? uniform : segments, motion.damping,
+            motion.excitation};
 }
 
 void tryStability(ForcedMotion& motion, const std::vector<Segment>& segments, const Cancel& cancel)

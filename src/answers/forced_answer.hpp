@@ -49,8 +49,13 @@ struct ForcedAnswer {
     [[nodiscard]] std::optional<double> amplitude() const;
 };
 
-/// The motions of an amplitude [N] or [m], or if none is asked for the one of the least.
-[[nodiscard]] ForcedAnswer answerOf(ForcedSet set, const Scene& scene, std::optional<double> asked);
+/// The motions of an amplitude [N] or [m], or of a derivative [m/s], [m/s^2]; if none is asked for
+/// the one of the least.
+[[nodiscard]] ForcedAnswer answerOf(ForcedSet set, const Scene& scene, std::optional<double> asked,
+                                    int derivative = 0);
+
+/// What a bar of such segments does over one period.
+[[nodiscard]] Motion fieldOf(const ForcedMotion& motion, const std::vector<Segment>& segments);
 
 /// Starts beside each motion.
 void tryStability(ForcedAnswer& answer, const Cancel& cancel);

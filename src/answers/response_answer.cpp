@@ -59,4 +59,16 @@ std::vector<FrequencyOf> ResponseAnswer::listed() const
     return list;
 }
 
+std::optional<FrequencyResponse> frequencyAt(const ResponseRange& range, std::int64_t steps,
+                                             bool triesStability, const Cancel& cancel)
+{
+    std::optional<FrequencyResponse> response = responseAt(range, steps, cancel);
+    if (response && triesStability) {
+        for (ForcedMotion& motion : response->motions) {
+            tryStability(motion, range.segments, cancel);
+        }
+    }
+    return isRequested(cancel) ? std::nullopt : std::move(response);
+}
+
 }  // namespace signorini::answers

@@ -44,6 +44,11 @@ struct ResponseAnswer {
     [[nodiscard]] std::vector<FrequencyOf> listed() const;
 };
 
+/// One n of a range, its motions tried if that is asked for. \throws as responseAt.
+[[nodiscard]] std::optional<FrequencyResponse> frequencyAt(const ResponseRange& range,
+                                                           std::int64_t steps, bool triesStability,
+                                                           const Cancel& cancel);
+
 void describe(auto& d, Type<PermanentOf>)
 {
     using P = PermanentContact;

@@ -123,8 +123,12 @@ void tryStability(SceneForcedAnswer& answer, const Cancel& cancel)
 
 SceneForcedAnswer forcedAnswerOf(const Assembly& assembly, const Network& network,
                                  const std::vector<ContactSpan>& schedule, const Forcing& forcing,
-                                 const std::optional<double>& amplitude)
+                                 std::optional<double> amplitude, int derivative)
 {
+    if (amplitude && derivative > 0) {
+        const double hertz = static_cast<double>(forcing.cycles) / periodOf(network, schedule);
+        amplitude = displacementAt(hertz, *amplitude, derivative);
+    }
     const ForcedSet set = forcedScene(network, schedule, forcing, usualEnergy(network, schedule));
     const double unit =
         forcing.place == Excited::tip ? network.scales.force() : network.scales.displacement;

@@ -174,12 +174,12 @@ struct SceneForcedAnswer {
     }
 };
 
-/// The least amplitude, or the motions of the one that is asked for [N or m, of the base a
-/// displacement]. \throws as `forcedScene`.
+/// The least amplitude, or the motions of the one that is asked for [N or m, or of a derivative of
+/// the base's displacement m/s, m/s^2]. \throws as `forcedScene`.
 [[nodiscard]] SceneForcedAnswer forcedAnswerOf(const Assembly& assembly, const Network& network,
                                                const std::vector<ContactSpan>& schedule,
                                                const Forcing& forcing,
-                                               const std::optional<double>& amplitude);
+                                               std::optional<double> amplitude, int derivative);
 
 /// Starts beside each motion.
 void tryStability(SceneForcedAnswer& answer, const Cancel& cancel);

@@ -44,11 +44,12 @@ std::int64_t stepsOf(const Assembly& assembly, const AskedSteps& asked, std::int
 }
 
 SceneHarmonicAnswer answerOf(const Assembly& assembly, Excited place, std::int64_t cycles,
-                             std::int64_t steps, double amplitude)
+                             std::int64_t steps, double amplitude, int derivative)
 {
     const Network network = networkOf(assembly);
     SceneHarmonicAnswer answer{
         place, cycles, amplitude, steps, network.scales, severalOf(assembly, network), {}};
+    answer.amplitude = displacementAt(answer.frequency(), amplitude, derivative);
     for (NetworkHarmonicMotion& motion : harmonicContacts(answer.given())) {
         answer.motions.push_back(motionOf(assembly, network.scales, std::move(motion)));
     }

@@ -70,10 +70,11 @@ struct SceneHarmonicAnswer {
 [[nodiscard]] SceneHarmonicMotion motionOf(const Assembly& assembly, const NetworkScales& scales,
                                            NetworkHarmonicMotion motion);
 
+/// Of an amplitude [N or m], or of a derivative of the base's displacement [m/s, m/s^2].
 /// \throws as harmonicContacts (harmonic_network_contact.hpp).
 [[nodiscard]] SceneHarmonicAnswer answerOf(const Assembly& assembly, Excited place,
                                            std::int64_t cycles, std::int64_t steps,
-                                           double amplitude);
+                                           double amplitude, int derivative);
 
 void describe(auto& d, Type<SceneHarmonicMotion>)
 {

@@ -33,13 +33,8 @@ void writeFiles(FindOutputs& files, const answers::ForcedAnswer& answer)
         files.lackMotion();
     } else {
         const ForcedMotion& last = answer.motions.back().value;
-        const auto field = [&] {
-            const std::vector<Segment> uniform{{.cells = last.schedule.cells}};
-            return Motion(last.state, last.schedule,
-                          answer.scene.segments.empty() ? uniform : answer.scene.segments,
-                          last.damping, last.excitation);
-        };
-        files.writeMotion({last.state, answer.scene, answer.bar, last.schedule, field,
+        files.writeMotion({last.state, answer.scene, answer.bar, last.schedule,
+                           [&] { return answers::fieldOf(last, answer.scene.segments); },
                            [&] { return motionFigure(last, answer.scene); }, last.damping,
                            last.excitation});
     }
@@ -98,21 +93,15 @@ ExitStatus answerForced(const FindCommand& call, const Schedule& schedule)
 {
     const CommonOptions& common = call.common;
     const Scene scene = common.scene();
-    // Equal segments are one bar.
-    const bool isStepped = !isUniform(scene.segments);
     validate(call, schedule);
     call.requireTried(steps(schedule));
     const ForceOptions& force = call.force;
-    const Bar bar = isStepped ? firstMaterial(scene) : scene.bar;
     FindOutputs files(call);
-    const ForcedLimits limits{call.options.strainLimit / scales(bar).strain};
+    const ForcedLimits limits{call.options.strainLimit / scales(firstMaterial(scene)).strain};
     const Forcing forcing{*force.place, call.cycles};
-    const double frequencyRatio = 4.0 * static_cast<double>(schedule.cells) *
-                                  static_cast<double>(call.cycles) /
-                                  static_cast<double>(steps(schedule));
     answers::ForcedAnswer answer =
         answers::answerOf(forcedMotions(schedule, force.damping(), forcing, limits, scene.segments),
-                          scene, force.at(frequencyRatio * firstHertz(bar)).amplitude);
+                          scene, force.amplitude, force.derivative);
     call.tryIfAsked(answer);
     writeFiles(files, answer);
     return finish(call, answer);

@@ -22,21 +22,18 @@ namespace signorini::cli {
 
 namespace {
 
+/// Without states.
 std::optional<FrequencyResponse> responseOf(const ResponseRange& range, std::int64_t steps,
                                             bool wantsStability, const Cancel& cancel)
 {
-    std::optional<FrequencyResponse> response = responseAt(range, steps, cancel);
-    if (!response) {
-        return std::nullopt;
-    }
-    for (ForcedMotion& motion : response->motions) {
-        if (wantsStability) {
-            answers::tryStability(motion, range.segments, cancel);
+    auto response = answers::frequencyAt(range, steps, wantsStability, cancel);
+    if (response) {
+        for (ForcedMotion& motion : response->motions) {
+            motion.state = {};
+            motion.excitation.values = {};
         }
-        motion.state = {};
-        motion.excitation.values = {};
     }
-    return isRequested(cancel) ? std::nullopt : std::move(response);
+    return response;
 }
 
 /// How one call goes through frequencies.
@@ -144,8 +141,7 @@ ExitStatus runExact(const Given& given, const CommonOptions& common, const Force
     const std::vector<std::int64_t> steps = stepsOf(asked);
     watched(common, "frequencies", [&](const Cancel& cancel, const auto& show) {
         answer.frequencies = shareOut(
-            std::vector<std::optional<ExactFrequency>>(steps.size()), common.threads,
-            [&](std::size_t at) { return exactAt(asked, steps[at], cancel); }, show);
+            steps, common.threads, [&](std::int64_t n) { return exactAt(asked, n, cancel); }, show);
         answer.branches = exactBranches(asked, answer.frequencies, cancel);
         answer.isComplete = answer.frequencies.size() == steps.size() && !isRequested(cancel);
     });

@@ -48,12 +48,9 @@ ExitStatus findForcedInScene(const FindCommand& command)
     force.requirePlace();
     SceneFind scene(command);
     const Forcing forcing{*force.place, command.cycles, {}};
-    const double hertz =
-        static_cast<double>(forcing.cycles) / periodOf(scene.network, scene.schedule);
     command.requireTried(stepsOf(scene.schedule));
-    answers::SceneForcedAnswer answer =
-        answers::forcedAnswerOf(scene.assembly, scene.network, scene.schedule, forcing,
-                                force.amplitude ? force.at(hertz).amplitude : std::nullopt);
+    answers::SceneForcedAnswer answer = answers::forcedAnswerOf(
+        scene.assembly, scene.network, scene.schedule, forcing, force.amplitude, force.derivative);
     command.tryIfAsked(answer);
     for (const answers::SceneForcedMotion& one : answer.motions) {
         warnOf(one.strains, command);

@@ -60,11 +60,10 @@ ExitStatus findHarmonicInBars(const FindCommand& call, const Assembly& assembly)
     const Network network = networkOf(assembly);
     FindOutputs files(call);
     const std::int64_t steps = answers::stepsOf(assembly, call.question.ofBars(), call.cycles);
-    const double hertz =
-        static_cast<double>(call.cycles) / (static_cast<double>(steps) * network.scales.time);
-    const answers::SceneHarmonicAnswer answer = answers::within(
-        call.given.number("--strain-limit"),
-        answers::answerOf(assembly, *force.place, call.cycles, steps, *force.at(hertz).amplitude));
+    const answers::SceneHarmonicAnswer answer =
+        answers::within(call.given.number("--strain-limit"),
+                        answers::answerOf(assembly, *force.place, call.cycles, steps,
+                                          *force.amplitude, force.derivative));
     if (answer.motions.empty()) {
         files.lackMotion();
     } else {  // the last one has the largest impulse

@@ -197,8 +197,8 @@ ExitStatus respondInBars(const Given& given, const CommonOptions& common, const 
                 [&] { return stepsOf(answer); });
     watched(common, "frequencies", [&](const Cancel& cancel, const auto& show) {
         answer.frequencies = shareOut(
-            std::vector<std::optional<SceneFrequency>>(steps.size()), common.threads,
-            [&](std::size_t k) { return frequencyAt(answer, steps[k], cancel); }, show);
+            steps, common.threads, [&](std::int64_t n) { return frequencyAt(answer, n, cancel); },
+            show);
         answer.isComplete = answer.frequencies.size() == steps.size();
     });
     if (answer.isComplete) {

@@ -47,4 +47,14 @@ template <typename Item, typename Make>
     return all;
 }
 
+/// What `make` gives of each number of a list; as above.
+template <typename Make>
+[[nodiscard]] auto shareOut(const std::vector<std::int64_t>& list, std::int64_t threads,
+                            const Make& make, const std::function<void(double, double)>& show)
+{
+    return shareOut(
+        std::vector<decltype(make(0))>(list.size()), threads,
+        [&](std::size_t k) { return make(list[k]); }, show);
+}
+
 }  // namespace signorini
