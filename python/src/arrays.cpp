@@ -70,9 +70,7 @@ double quantityOf(const std::string& name, const Quantity& given, const std::str
     const auto& text = std::get<std::string>(given);
     const auto value = numberIn(text, unit);
     if (!value) {
-        Faults faults;
-        faults.add(name, text, fmt::format("finite numbers [{}]", unit));
-        faults.throwIfAny();
+        throwFault(name, text, fmt::format("finite numbers [{}]", unit));
     }
     return *value;
 }

@@ -28,10 +28,8 @@ PyObject* Asked::keyOf(const char* name)
 void Asked::refuseKind(const char* name, const char* kind) const
 {
     if (std::string_view(kind).starts_with("int") && PyIndex_Check(object(name).ptr()) != 0) {
-        Faults faults;
-        faults.add(name, shortened(py::cast<std::string>(py::repr(object(name)))),
+        throwFault(name, shortened(py::cast<std::string>(py::repr(object(name)))),
                    "whole numbers of at most 64 bits");
-        faults.throwIfAny();
     }
     const py::object shown = py::module_::import("reprlib").attr("repr")(object(name));
     throw py::type_error(
@@ -52,9 +50,7 @@ void Asked::requireFits(const char* name, double value)
     }
     const auto fits = [value](const answers::Option* row) { return row->fits(value); };
     if (!rows->second.empty() && std::none_of(rows->second.begin(), rows->second.end(), fits)) {
-        Faults faults;
-        faults.add(name, value, rows->second.front()->allowed());
-        faults.throwIfAny();
+        throwFault(name, value, rows->second.front()->allowed());
     }
 }
 
@@ -112,9 +108,7 @@ std::optional<double> Asked::energyRatio(const Bar& bar) const
     }
     const double ratio = *energy / scales(bar).energy;
     if (!std::isfinite(ratio)) {
-        Faults faults;
-        faults.add("energy", *energy, "what is finite in E_1");
-        faults.throwIfAny();
+        throwFault("energy", *energy, "what is finite in E_1");
     }
     return ratio;
 }

@@ -76,9 +76,7 @@ public:
         const auto word = get<std::string>(name);
         const auto value = valueIn(table, word);
         if (!value) {
-            Faults faults;
-            faults.add(name, word, namesIn(table));
-            faults.throwIfAny();
+            throwFault(name, word, namesIn(table));
         }
         return *value;
     }

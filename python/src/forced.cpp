@@ -108,9 +108,7 @@ answers::ForceRange forceRange(const Asked& asked)
     const auto high = asked.inUnit("high", "N");
     const auto time = asked.get<double>("time");
     if (!(low <= high && std::isfinite(high - low))) {
-        Faults faults;
-        faults.add("low, high", fmt::format("{}, {}", low, high), "finite low <= high [N]");
-        faults.throwIfAny();
+        throwFault("low, high", fmt::format("{}, {}", low, high), "finite low <= high [N]");
     }
     return patiently(
         [=](const Wires&) { return answers::forceRangeOf(assembly, low, high, time); });

@@ -1,5 +1,6 @@
 #include "calls.hpp"
 
+#include "faults.hpp"
 #include "mapped.hpp"
 #include "motion.hpp"
 #include "signorini/figures.hpp"
@@ -116,10 +117,9 @@ ModeOf mode(const Asked& asked)
                                           ? findMode(a4 / 4, b, answers::gapSignOfModes(bar))
                                           : std::nullopt;
     if (!found) {
-        throw std::invalid_argument(
-            fmt::format("a4, b = {}, {} is out of range: allowed multiples of 4 and negative odd "
-                        "numbers that modes() lists: there is no other mode",
-                        a4, b));
+        throwFault("a4, b", fmt::format("{}, {}", a4, b),
+                   "multiples of 4 and negative odd numbers that modes() lists: there is no other "
+                   "mode");
     }
     return {*found, bar};
 }

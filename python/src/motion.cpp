@@ -134,9 +134,7 @@ StateOf stateAt(const GridMotion& m, std::int64_t step)
 {
     const Motion& field = *m.field();
     if (step < 0 || step > field.steps()) {
-        Faults faults;
-        faults.add("step", step, fmt::format("whole numbers 0..{}", field.steps()));
-        faults.throwIfAny();
+        throwFault("step", step, fmt::format("whole numbers 0..{}", field.steps()));
     }
     auto state = std::make_shared<State>();
     state->a.resize(field.cells());

@@ -45,8 +45,7 @@ StateOf finer(const StateOf& s, std::int64_t factor)
 {
     const std::int64_t most = mostCells / s.value->cells();
     if (factor < 1 || factor > most) {
-        throw std::invalid_argument(
-            fmt::format("factor = {} is out of range: allowed whole numbers 1..{}", factor, most));
+        throwFault("factor", factor, fmt::format("whole numbers 1..{}", most));
     }
     StateOf fine{std::make_shared<const State>(refined(*s.value, factor)), s.bar, s.segments};
     for (Segment& segment : fine.segments) {

@@ -45,12 +45,10 @@ std::vector<StopPlace> stopsIn(const Scene& scene)
 void requireTried(std::int64_t steps)
 {
     constexpr std::int64_t most = 1'000'000;
-    Faults faults;
     if (steps > most) {
-        faults.add("steps of a period", steps,
+        throwFault("steps of a period", steps,
                    fmt::format("at most {} where stability is tried", most));
     }
-    faults.throwIfAny();
 }
 
 void tryStability(FindAnswer& answer, const Cancel& cancel)

@@ -6,13 +6,11 @@ namespace signorini::answers {
 
 int gapSignOfModes(const Bar& bar)
 {
-    Faults faults;
     if (bar.gap == 0.0) {
-        faults.add("gap", 0.0,
+        throwFault("gap", 0.0,
                    "a gap > 0 or < 0 [m]: without one modes have a single period each, which "
                    "families lists");
     }
-    faults.throwIfAny();
     return bar.gap > 0.0 ? 1 : -1;
 }
 

@@ -11,16 +11,14 @@ std::int64_t stepsNearest(double hertz, std::int64_t cells, const Bar& bar)
 {
     const double second = static_cast<double>(cells) / scales(bar).time;  // in steps
     const double wanted = second / hertz;
-    Faults faults;
     if (!(wanted > static_cast<double>(AskedPeriod::leastSteps) - 0.5 &&
           wanted <= static_cast<double>(AskedPeriod::mostSteps))) {
-        faults.add(
+        throwFault(
             "hertz", hertz,
             fmt::format("{}..{} Hz for this bar ({}) on {} cells",
                         second / static_cast<double>(AskedPeriod::mostSteps),
                         second / static_cast<double>(AskedPeriod::leastSteps), sizeOf(bar), cells));
     }
-    faults.throwIfAny();
     return std::llround(wanted);
 }
 

@@ -172,10 +172,8 @@ ForceRange forceRangeOf(const Assembly& assembly, double low, double high, doubl
     const NetworkScales& scales = network.scales;
     const double duration = time / scales.time;
     if (!(duration <= static_cast<double>(maxReachSteps))) {
-        Faults faults;
-        faults.add("time", time,
+        throwFault("time", time,
                    fmt::format("at most {} steps of {:.6g} s", maxReachSteps, scales.time));
-        faults.throwIfAny();
     }
     const ForceReach reach =
         reachUnder(network, low / scales.force(), high / scales.force(), duration);

@@ -37,12 +37,10 @@ std::vector<std::int64_t> stepsOf(const SceneResponse& asked)
     const auto longest = static_cast<double>(range.isExact ? maxHarmonicSteps : maxStaircaseSteps);
     if (!(std::max(least, shortest) <= most && most <= longest)) {
         const bool isLow = most > longest;
-        Faults faults;
-        faults.add(isLow ? "leastFrequencyRatio" : "mostFrequencyRatio",
+        throwFault(isLow ? "leastFrequencyRatio" : "mostFrequencyRatio",
                    isLow ? range.leastHertz : range.mostHertz,
                    fmt::format("a range that holds {:.6g}/n Hz of some whole n = {}..{}", second,
                                shortest, longest));
-        faults.throwIfAny();
     }
     std::vector<std::int64_t> all;
     for (auto n = static_cast<std::int64_t>(std::max(least, shortest));

@@ -221,7 +221,7 @@ private:
 March march(const State& state, std::int64_t count, double tolerance, const Stops& stops)
 {
     if (count < 0) {
-        throw std::invalid_argument(fmt::format("count = {} is out of range: allowed >= 0", count));
+        throwFault("count", count, ">= 0");
     }
     Echo echo(state);
     const Measures measures(state, stops);

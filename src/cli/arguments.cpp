@@ -72,9 +72,7 @@ void refuse(std::string_view name, std::string_view text, std::string_view allow
     if (text == "missing") {
         throw std::invalid_argument(fmt::format("{} is missing: allowed {}", name, allowed));
     }
-    Faults faults;
-    faults.add(name, text.empty() ? "''" : text, allowed);
-    faults.throwIfAny();
+    throwFault(name, text.empty() ? "''" : text, allowed);
     throw std::logic_error("a fault was added");
 }
 

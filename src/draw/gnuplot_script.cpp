@@ -350,8 +350,7 @@ auto formatOf(const char* field, const std::string& path, const auto& formats, c
             return format;
         }
     }
-    throw std::invalid_argument(fmt::format("{} = {} is out of range: allowed a name ending in {}",
-                                            field, shortened(onOneLine(path)), allowed));
+    throwFault(field, onOneLine(path), fmt::format("a name ending in {}", allowed));
 }
 
 }  // namespace

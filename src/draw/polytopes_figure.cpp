@@ -6,6 +6,7 @@
 #include <set>
 
 #include "axes.hpp"
+#include "faults.hpp"
 #include "signorini/figures.hpp"
 
 namespace signorini {
@@ -122,8 +123,7 @@ FigureData polytopesFigure(std::span<const ModePolytope> polytopes,
         throw std::invalid_argument("figure: the list holds no motion to draw");
     }
     if (!(options.maxEnergyRatio > 1.0)) {
-        throw std::invalid_argument(fmt::format("maxEnergyRatio = {} is out of range: allowed > 1",
-                                                options.maxEnergyRatio));
+        throwFault("maxEnergyRatio", options.maxEnergyRatio, "> 1");
     }
     const auto phases = static_cast<double>(polytopes.front().chains.size());
     double low = std::numeric_limits<double>::infinity();

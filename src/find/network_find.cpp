@@ -26,12 +26,10 @@ std::optional<double> heldEnergy(const Network& network, const std::optional<dou
         return std::nullopt;
     }
     const auto unit = firstEnergy(network);
-    Faults faults;
     if (!unit) {
-        faults.add("energyRatio", *energyRatio,
+        throwFault("energyRatio", *energyRatio,
                    "none where no energy E₁ is needed to reach contact 1: joules in its place");
     }
-    faults.throwIfAny();
     return *energyRatio * *unit;
 }
 
@@ -129,11 +127,9 @@ void proveStrain(LeastMotion& motion, Network network, const std::vector<Contact
 LeastMotion wishedMotion(const Network& network, const std::vector<ContactSpan>& schedule,
                          double largest, const NetworkWish& wish, const FindOptions& options)
 {
-    Faults faults;
     if (wish.energy && wish.objective != Objective::automatic && wish.objective != Objective::any) {
-        faults.add("objective", name(wish.objective), "auto|any when an energy is held");
+        throwFault("objective", name(wish.objective), "auto|any when an energy is held");
     }
-    faults.throwIfAny();
     LeastMotion least = leastMotion(network, schedule, largest, options.cancel);
     if (least.status != Status::found || wish.isOfLeast()) {
         return least;

@@ -70,11 +70,9 @@ void requireExactRoute(const Request& request)
         known.onePhase && request.allowsExact() &&
         !(demands.objective == Objective::nearest && known.set.kind == SetKind::box);
     if (demands.needsExactRoute() && !isExact) {
-        Faults faults;
-        faults.add("objective", name(demands.objective),
+        throwFault("objective", name(demands.objective),
                    "auto|any when an energy is held, and further ones for one contact phase in "
                    "closed form: min-peak-strain, and nearest where the wall is pressed");
-        faults.throwIfAny();
     }
 }
 

@@ -190,12 +190,10 @@ private:
         equalities_ = std::move(kept);
         for (std::size_t k = 0; k < bars_.size(); ++k) {
             if (tree[k] != tree.back()) {
-                Faults faults;
-                faults.add(
+                throwFault(
                     "bar", bars_[k] + 1,
                     "bars that drift with contacts that close and tie them to what is held: the "
                     "place of this one is not told by the schedule");
-                faults.throwIfAny();
             }
         }
         return tied;

@@ -19,8 +19,7 @@ double checkedRatio(const AmplitudeSet& set, double squares)
     const double most = mostSquares(set);
     if (set.count == 0 || !(squares >= least * (1.0 - roundingOfSquares) &&
                             squares <= most * (1.0 + roundingOfSquares))) {
-        throw std::invalid_argument(fmt::format(
-            "sum of squares = {} is out of range: allowed {}..{}", squares, least, most));
+        throwFault("sum of squares", squares, fmt::format("{}..{}", least, most));
     }
     return std::clamp(squares, least, most) / (set.sum * set.sum);
 }

@@ -34,12 +34,6 @@ double addDisplacement(std::span<double> derivatives, const Network& network, st
 
 namespace {
 
-[[noreturn]] void refuseWord(const std::string& word, std::string_view allowed)
-{
-    throw std::invalid_argument(
-        fmt::format("schedule = {} is out of range: allowed {}", shortened(word), allowed));
-}
-
 ContactSet setOf(std::string_view text, std::size_t contacts, const std::string& word)
 {
     if (text == "-" || text.empty()) {
@@ -52,8 +46,9 @@ ContactSet setOf(std::string_view text, std::size_t contacts, const std::string&
         const auto number = wholeIn(text.substr(0, plus), 1, static_cast<std::int64_t>(contacts));
         const ContactSet one = number ? ContactSet{1} << (*number - 1) : 0;
         if (!number || (closed & one) != 0) {
-            refuseWord(word, fmt::format("SET:STEPS, SET - or different contacts 1..{} joined by +",
-                                         contacts));
+            throwFault(
+                "schedule", word,
+                fmt::format("SET:STEPS, SET - or different contacts 1..{} joined by +", contacts));
         }
         closed |= one;
         text.remove_prefix(isLast ? text.size() : plus + 1);
@@ -69,7 +64,7 @@ std::vector<ContactSpan> spansOf(const std::vector<std::string>& words, std::siz
     const bool arePairs =
         contacts == 1 && !words.empty() && words.front().find(':') == std::string::npos;
     if (words.empty() || (arePairs && words.size() % 2 != 0)) {
-        refuseWord(fmt::format("{} words", words.size()),
+        throwFault("schedule", fmt::format("{} words", words.size()),
                    contacts == 1 ? "NC NF [NC NF ...], or SET:STEPS ..." : "SET:STEPS ...");
     }
     for (const std::string& word : words) {
@@ -80,8 +75,9 @@ std::vector<ContactSpan> spansOf(const std::vector<std::string>& words, std::siz
         }
         const auto steps = wholeIn(number, 1, maxNetworkSteps);
         if (!steps) {
-            refuseWord(word, fmt::format("{}, steps 1..{}", arePairs ? "NC NF" : "SET:STEPS",
-                                         maxNetworkSteps));
+            throwFault(
+                "schedule", word,
+                fmt::format("{}, steps 1..{}", arePairs ? "NC NF" : "SET:STEPS", maxNetworkSteps));
         }
         spans.push_back({arePairs ? (spans.size() % 2 == 0 ? 1U : 0U)
                                   : setOf(std::string_view(word).substr(0, colon), contacts, word),

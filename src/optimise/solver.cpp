@@ -151,8 +151,7 @@ const Backend& findBackend(std::string_view name)
         known += known.empty() ? "" : "|";
         known += backend.name;
     }
-    throw std::invalid_argument(
-        fmt::format("solver = {} is out of range: allowed auto|{}", shortened(name), known));
+    throwFault("solver", name, "auto|" + known);
 }
 
 std::vector<const Backend*> candidates(const Capabilities& needs)

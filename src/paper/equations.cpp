@@ -24,11 +24,9 @@ struct Term {
 
 void validateCells(Index cells)
 {
-    Faults faults;
     if (cells < 1 || cells > maxEquationCells) {
-        faults.add("cells", cells, fmt::format("1..{}", maxEquationCells));
+        throwFault("cells", cells, fmt::format("1..{}", maxEquationCells));
     }
-    faults.throwIfAny();
 }
 
 /// The extensions (21), (22), (24), (25): each maps a cell j (on [x_{j-1}, x_j]) to an unknown.
@@ -190,7 +188,7 @@ SparseMatrix contactMap(std::int64_t cells, std::int64_t count)
 {
     validateCells(cells);
     if (count < 0) {
-        throw std::invalid_argument(fmt::format("count = {} is out of range: allowed >= 0", count));
+        throwFault("count", count, ">= 0");
     }
     const Extension wave(cells);
     return stepMap(
@@ -201,7 +199,7 @@ SparseMatrix freeMap(std::int64_t cells, std::int64_t count)
 {
     validateCells(cells);
     if (count < 0) {
-        throw std::invalid_argument(fmt::format("count = {} is out of range: allowed >= 0", count));
+        throwFault("count", count, ">= 0");
     }
     const Extension wave(cells);
     return stepMap(

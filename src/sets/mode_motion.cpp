@@ -162,9 +162,7 @@ Extremes ModeMotion::extremes() const
 State cellMeans(const ModeMotion& motion, std::int64_t cells)
 {
     if (cells < 1 || cells > maxCells) {
-        Faults faults;
-        faults.add("cells", cells, fmt::format("1..{}", maxCells));
-        faults.throwIfAny();
+        throwFault("cells", cells, fmt::format("1..{}", maxCells));
     }
     const auto end = [cells](std::int64_t i) {
         return static_cast<double>(i) / static_cast<double>(cells);

@@ -109,22 +109,18 @@ double valueAt(const LinearForm& form, const ModePoint& point)
 void requireInside(const ModePolytope& polytope, double period)
 {
     if (!(period > polytope.lowest.value() && period < polytope.highest.value())) {
-        Faults faults;
-        faults.add("period", period,
+        throwFault("period", period,
                    fmt::format("]{}/{}, {}/{}[ [L/c]", polytope.lowest.numerator,
                                polytope.lowest.denominator, polytope.highest.numerator,
                                polytope.highest.denominator));
-        faults.throwIfAny();
     }
 }
 
 void requireArrivals(const ModePolytope& polytope, const ModePoint& point)
 {
     if (point.arrivals.size() + 1 != polytope.chains.size()) {
-        Faults faults;
-        faults.add("arrivals", point.arrivals.size(),
+        throwFault("arrivals", point.arrivals.size(),
                    fmt::format("{} numbers", polytope.chains.size() - 1));
-        faults.throwIfAny();
     }
 }
 

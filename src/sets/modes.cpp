@@ -81,12 +81,10 @@ void requireInside(const Mode& mode, double period)
         return linear(end.denominator, period, -end.numerator);
     };
     if (!(beyond(mode.lowest) > 0.0 && beyond(mode.highest) < 0.0)) {
-        Faults faults;
-        faults.add("period", period,
+        throwFault("period", period,
                    fmt::format("]{}/{}, {}/{}[ [L/c], as t_c = {} {:+} T", mode.lowest.numerator,
                                mode.lowest.denominator, mode.highest.numerator,
                                mode.highest.denominator, 4 * mode.a, mode.b));
-        faults.throwIfAny();
     }
 }
 
