@@ -23,7 +23,7 @@ int gapSign(const Bar& bar)
 void addFamily(py::module_& module)
 {
     classOf<FamilyOf>(module)
-        ->has("bar", "Its units.", [](const FamilyOf& of) { return of.bar; })
+        ->has("bar", "Its units.", &FamilyOf::bar)
         .can("schedule", {"cells"}, "That has the whole set on N cells. ValueError unless w | 2N.",
              [](const FamilyOf& f, std::int64_t cells) {
                  return signorini::scheduleOf(f.value, cells);
@@ -33,7 +33,7 @@ void addFamily(py::module_& module)
 void addMode(py::module_& module)
 {
     classOf<ModeOf>(module)
-        ->has("bar", "Its units.", [](const ModeOf& of) { return of.bar; })
+        ->has("bar", "Its units.", &ModeOf::bar)
         .has("kappa", "E/E_1 = 1/(kappa T - mu)^2.", [](const ModeOf& m) { return m.value.kappa; })
         .has("mu", "See kappa.", [](const ModeOf& m) { return m.value.mu; })
         .can("energy_ratio", {"period_ratio"},

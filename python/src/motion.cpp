@@ -168,9 +168,9 @@ void addMotion(py::module_& module)
             const Motion& field = *m.field();
             return motionFrames(MotionSamples(field, m.scene, field.steps() + 1), most);
         })
-        .has("bar", "Its units.", [](const GridMotion& m) { return m.bar; })
-        .has("scene", "Where it happens.", [](const GridMotion& m) { return m.scene; })
-        .has("schedule", "That it follows.", [](const GridMotion& m) { return m.schedule; })
+        .has("bar", "Its units.", &GridMotion::bar)
+        .has("scene", "Where it happens.", &GridMotion::scene)
+        .has("schedule", "That it follows.", &GridMotion::schedule)
         .has("state", "At t = 0.",
              [](const GridMotion& m) {
                  return StateOf{m.state, m.bar, m.scene.segments};

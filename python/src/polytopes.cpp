@@ -100,7 +100,7 @@ void addMotionOf(py::module_& module)
 void addPolytope(py::module_& module)
 {
     classOf<PolytopeOf>(module)
-        ->has("bar", "Its units.", [](const PolytopeOf& of) { return of.bar; })
+        ->has("bar", "Its units.", &PolytopeOf::bar)
         .has("phases", "K.", [](const PolytopeOf& p) { return p.value.chains.size(); })
         .can("energy_ratio", {"period_ratio"},
              "E/E_1 at T [L/c], any array. ValueError outside the interval.",

@@ -123,9 +123,7 @@ returned with the Scene. ValueError names the piece that is out of its range.)",
 void addSchedule(py::module_& module)
 {
     Record<Schedule> record(module, "Schedule", "Contacts and flights of one period, in steps.");
-    record
-        .key(
-            "cells", [](const Schedule& s) { return s.cells; }, "N, cells of the bar.")
+    record.key("cells", &Schedule::cells, "N, cells of the bar.")
         .key(
             "phases", [](const Schedule& s) { return asPython(s.phases); },
             "[(n_c, n_f), ...], contact and free steps.")

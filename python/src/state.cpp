@@ -76,9 +76,8 @@ void addState(py::module_& module)
         .both("energy", "energy_unit", "E [J].", "E/E_1.",
               [](const StateOf& s) { return energyRatio(*s.value, s.segments); })
         .has("cells", "N.", [](const StateOf& s) { return s.value->cells(); })
-        .has("bar", "Its units.", [](const StateOf& s) { return s.bar; })
-        .has("segments", "[Segment, ...]; none of a uniform bar.",
-             [](const StateOf& s) { return s.segments; })
+        .has("bar", "Its units.", &StateOf::bar)
+        .has("segments", "[Segment, ...]; none of a uniform bar.", &StateOf::segments)
         .has("a", "Right-going wave r_1 on each cell [g/L]; read-only, no copy.",
              [](const StateOf& s) { return waveOf(s, &State::a); })
         .has("b", "Left-going wave r_2 on each cell [g/L]; read-only, no copy.",

@@ -22,20 +22,6 @@ namespace signorini::cli {
 
 namespace {
 
-/// Without states.
-std::optional<FrequencyResponse> responseOf(const ResponseRange& range, std::int64_t steps,
-                                            bool wantsStability, const Cancel& cancel)
-{
-    auto response = answers::frequencyAt(range, steps, wantsStability, cancel);
-    if (response) {
-        for (ForcedMotion& motion : response->motions) {
-            motion.state = {};
-            motion.excitation.values = {};
-        }
-    }
-    return response;
-}
-
 /// How one call goes through frequencies.
 struct Worker {
     const CommonOptions& common;
@@ -48,31 +34,46 @@ struct Worker {
     std::vector<FrequencyResponse> work(const ResponseRange& range)
     {
         const std::vector<std::int64_t> steps = stepsOf(range);
-        const auto make = [&](std::size_t at) {
-            return responseOf(range, steps[at], wantsStability, cancel);
-        };
-        std::vector<std::optional<FrequencyResponse>> responses(steps.size());
-        estimate(range, steps, responses, make);
+        auto timed = estimate(range, steps);
         // The largest n takes longest and goes first.
-        std::vector<FrequencyResponse> all =
-            shareOut(std::move(responses), common.threads, make, show);
+        std::vector<FrequencyResponse> all = shareOut(
+            steps, common.threads,
+            [&](std::int64_t n) {
+                return timed && timed->steps == n ? std::move(timed) : make(range, n);
+            },
+            show);
         isComplete = isComplete && all.size() == steps.size();
         return all;
     }
 
+    /// Without states.
+    [[nodiscard]] std::optional<FrequencyResponse> make(const ResponseRange& range,
+                                                        std::int64_t steps) const
+    {
+        auto response = answers::frequencyAt(range, steps, wantsStability, cancel);
+        if (response) {
+            for (ForcedMotion& motion : response->motions) {
+                motion.state = {};
+                motion.excitation.values = {};
+            }
+        }
+        return response;
+    }
+
     /// Times one of many, and says how long all will take, where that is long.
-    void estimate(const ResponseRange& range, const std::vector<std::int64_t>& steps,
-                  std::vector<std::optional<FrequencyResponse>>& responses, const auto& make) const
+    /// \returns that one, if any.
+    [[nodiscard]] std::optional<FrequencyResponse> estimate(
+        const ResponseRange& range, const std::vector<std::int64_t>& steps) const
     {
         constexpr std::size_t many = 50;
         constexpr double isLong = 5.0;  // [s]
         if (common.quiet || steps.size() < many) {
-            return;
+            return {};
         }
         using Clock = std::chrono::steady_clock;
         const std::size_t middle = steps.size() / 2;
         const auto start = Clock::now();
-        responses[middle] = make(middle);
+        std::optional<FrequencyResponse> timed = make(range, steps[middle]);
         const double one = std::chrono::duration<double>(Clock::now() - start).count();
         const double order = range.contacts > 1 ? 4.0 : 2.0;  // of the cost in n
         double all = 0.0;
@@ -86,6 +87,7 @@ struct Worker {
                                    common.threads > 1 ? "s" : "",
                                    common.choosesCells ? "" : "; --cells auto is quicker"));
         }
+        return timed;
     }
 };
 

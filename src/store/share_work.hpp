@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -22,39 +21,27 @@ void shareWork(std::size_t count, std::int64_t threads,
                const std::function<bool(std::size_t)>& serve,
                const std::function<void(double done, double total)>& show);
 
-/// The items of a list, of which those that are missing are made by `make(k)`; a call that gives
-/// none ends the work, and what is missing then is left out. As shareWork.
-template <typename Item, typename Make>
-[[nodiscard]] std::vector<Item> shareOut(std::vector<std::optional<Item>> items,
-                                         std::int64_t threads, const Make& make,
-                                         const std::function<void(double, double)>& show)
+/// What `make(n)` gives of each n of a list, in its order; a call that gives none ends the work,
+/// and what is missing then is left out. As shareWork.
+template <typename Make>
+[[nodiscard]] auto shareOut(const std::vector<std::int64_t>& list, std::int64_t threads,
+                            const Make& make, const std::function<void(double, double)>& show)
 {
+    std::vector<decltype(make(0))> items(list.size());
     shareWork(
-        items.size(), threads,
+        list.size(), threads,
         [&](std::size_t k) {
-            if (!items[k]) {
-                items[k] = make(k);
-            }
+            items[k] = make(list[k]);
             return items[k].has_value();
         },
         show);
-    std::vector<Item> all;
-    for (std::optional<Item>& item : items) {
+    std::vector<typename decltype(make(0))::value_type> all;
+    for (auto& item : items) {
         if (item) {
             all.push_back(std::move(*item));
         }
     }
     return all;
-}
-
-/// What `make` gives of each number of a list; as above.
-template <typename Make>
-[[nodiscard]] auto shareOut(const std::vector<std::int64_t>& list, std::int64_t threads,
-                            const Make& make, const std::function<void(double, double)>& show)
-{
-    return shareOut(
-        std::vector<decltype(make(0))>(list.size()), threads,
-        [&](std::size_t k) { return make(list[k]); }, show);
 }
 
 }  // namespace signorini
