@@ -6,6 +6,7 @@
 
 #include "description.hpp"
 #include "record.hpp"
+#include "signorini/assembly.hpp"
 
 namespace signorini::python {
 
@@ -68,7 +69,7 @@ py::object asPython(const T& value)
     }
 }
 
-/// Makes a class and its keys of what is described.
+/// Makes a class and its keys of what is described; bars in a row that it has are drawn.
 template <typename T>
 struct ClassOfKeys {
     py::handle scope;
@@ -90,6 +91,10 @@ struct ClassOfKeys {
         unit = unit.substr(0, unit.find_last_not_of(' ') + 1);
         const std::string text = unit == "-" ? sentence : fmt::format("[{}] {}", unit, sentence);
         made->key(name, get, text, mayBeLeftOut(when));
+        if constexpr (std::is_same_v<std::remove_cvref_t<std::invoke_result_t<Get, const T&>>,
+                                     Assembly>) {
+            made->drawsScene(get);
+        }
     }
 };
 

@@ -231,7 +231,7 @@ void addForced(py::module_& module)
     addClasses<HarmonicContactOf, HarmonicMotionOf, answers::SceneHarmonicMotion,
                answers::PermanentOf, answers::FrequencyOf, answers::ExactFrequencyOf,
                answers::BranchPointOf, answers::BranchMarkOf, answers::ExactBranchOf,
-               answers::SceneFrequency>(module);
+               answers::SceneFrequency, answers::ForceRange>(module);
     addMotionOf(module);
     classOf<ForcedAnswer>(module)
         ->draws([](const ForcedAnswer& a, std::size_t k) {
@@ -259,11 +259,8 @@ void addForced(py::module_& module)
         })
         .moves([](const answers::SceneHarmonicAnswer& a, std::size_t most, std::size_t k) {
             return barsFrames(a.bars.assembly, networkOf(a.bars.assembly), shownPeriod(a, k), most);
-        })
-        .drawsScene([](const answers::SceneHarmonicAnswer& a) { return a.bars.assembly; });
+        });
     addCall(module, "find_harmonic_bars", &findHarmonicBars);
-    classOf<answers::ForceRange>(module)->drawsScene(
-        [](const answers::ForceRange& a) { return a.assembly; });
     addCall(module, "force_range", &forceRange);
     classOf<ResponseAnswer>(module)->draws([](const ResponseAnswer& answer) {
         return responseFigure(answer.frequencies, answer.range, answer.bar);
@@ -273,9 +270,7 @@ void addForced(py::module_& module)
         return exactFigure(answer.frequencies, answer.branches, answer.range, answer.bar);
     });
     addCall(module, "exact_response", &exactResponse);
-    classOf<answers::SceneResponse>(module)
-        ->draws(&sceneResponseFigure)
-        .drawsScene([](const answers::SceneResponse& answer) { return answer.bars.assembly; });
+    classOf<answers::SceneResponse>(module)->draws(&sceneResponseFigure);
     addCall(module, "response_bars", &responseOfBars);
 }
 

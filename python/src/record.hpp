@@ -160,7 +160,8 @@ public:
     template <typename Get>
     Record& drawsScene(Get assembly)
     {
-        return draws([assembly](const T& of) { return sceneFigure(assembly(of)); }, "_scene");
+        return draws([assembly](const T& of) { return sceneFigure(std::invoke(assembly, of)); },
+                     "_scene");
     }
 
     /// The class, for all else.

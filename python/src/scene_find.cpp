@@ -153,14 +153,14 @@ const answers::SceneSchedule& scheduleIn(const SceneCurvePoint& point)
 
 /// Pictures and files of the motions of an answer.
 template <typename Answer>
-void addMotions(py::module_& module)
+auto addMotions(py::module_& module)
 {
-    classOf<Answer>(module)
+    auto record = classOf<Answer>(module);
+    record
         ->draws([](const Answer& a, std::size_t which) {
             return periodFigure(scheduleIn(a).network(), claimIn(a, which),
                                 scheduleIn(a).bars.assembly.length);
         })
-        .drawsScene([](const Answer& a) { return scheduleIn(a).bars.assembly; })
         .moves([](const Answer& a, std::size_t most, std::size_t which) {
             const Network network = scheduleIn(a).network();
             return barsFrames(scheduleIn(a).bars.assembly, network,
@@ -179,26 +179,25 @@ void addMotions(py::module_& module)
             "Writes the state of a motion at t = 0: a table from which `simulate` starts, and that "
             "`find` takes as a target. OSError if it cannot be written.",
             py::arg("path"), py::arg("index") = 0);
+    return record;
 }
 
 }  // namespace
 
 void addSceneFind(py::module_& module)
 {
-    addClasses<NetworkResiduals, answers::SceneForcedMotion>(module);
+    addClasses<NetworkResiduals, answers::SceneForcedMotion, SceneQuestionAnswer>(module);
     addMotions<SceneFindAnswer>(module);
     addMotions<SceneForcedAnswer>(module);
-    classOf<SceneQuestionAnswer>(module)->drawsScene(
-        [](const SceneQuestionAnswer& a) { return a.period.bars.assembly; });
-    addMotions<SceneCurvePoint>(module);
+    addMotions<SceneCurvePoint>(module)->drawsScene(
+        [](const SceneCurvePoint& p) { return p.of->schedule.bars.assembly; });
     classOf<SceneContinuumAnswer>(module)
         ->can("member", {"lambda_"},
               "The point of the curve nearest to a lambda. ValueError out of range.",
               [](const SceneContinuumAnswer& c, double lambda) {
                   return SceneCurvePoint{c.of, pointAt(c.curve(), lambda)};
               })
-        .draws(&sceneContinuumFigure)
-        .drawsScene([](const SceneContinuumAnswer& c) { return c.of->schedule.bars.assembly; });
+        .draws(&sceneContinuumFigure);
     addCall(module, "find_bars", &findInBars);
     addCall(module, "continuum_bars", &continuumInBars);
     addCall(module, "find_period_bars", &findPeriodInBars);

@@ -87,9 +87,7 @@ void addSceneSimulation(py::module_& module)
     record->has("contact_number", "Which contact, from 1.", [](const SimulatedBars& s) {
         return mapped(s.more.pushes, [](const Push& push) { return push.contact + 1; });
     });
-    record->drawsScene([](const SimulatedBars& s) { return s.bars.assembly; })
-        .more()
-        .def("_figure", [](const SimulatedBars& s) { return s.more.figure; });
+    record->more().def("_figure", [](const SimulatedBars& s) { return s.more.figure; });
     addCall(module, "simulate_bars", &simulateBars);
 }
 
