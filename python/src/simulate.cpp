@@ -77,9 +77,7 @@ void addWaves(py::module_& module)
         .can("stretching", {"cells"}, "u(x_i) - u(0) at x_0 ... x_N [m].",
              [](const WavesOf& w, std::int64_t cells) {
                  if (cells < 1 || cells > mostCells) {
-                     throw std::invalid_argument(
-                         fmt::format("cells = {} is out of range: allowed whole numbers 1..{}",
-                                     cells, mostCells));
+                     throwFault("cells", cells, fmt::format("whole numbers 1..{}", mostCells));
                  }
                  const Eigen::VectorXd u = stretching(w.value, cells);
                  const double unit = scales(w.bar).displacement;

@@ -31,13 +31,11 @@ double durationOf(const Network& network, const SceneDrive& drive,
     const double duration =
         periods ? static_cast<double>(*periods) * drive.moved.period : *time / network.scales.time;
     const double most = 1e9 * static_cast<double>(network.cells());
-    Faults faults;
     if (!(duration <= most)) {
         const std::string allowed =
             fmt::format("what lasts at most {:.3g} s", most * network.scales.time);
-        periods ? faults.add("periods", *periods, allowed) : faults.add("time", *time, allowed);
+        periods ? throwFault("periods", *periods, allowed) : throwFault("time", *time, allowed);
     }
-    faults.throwIfAny();
     return duration;
 }
 

@@ -18,13 +18,11 @@ double stretchesOf(double stretch, double crossing, const Bar& bar,
     const double unit = scales(bar).time;
     const double total =
         periods ? static_cast<double>(*periods) : *time / unit * crossing / stretch;
-    Faults faults;
     if (!(total * stretch <= longest * crossing)) {
         const std::string allowed =
             fmt::format("what lasts at most {} L/c, {:.3g} s", longest, longest * unit);
-        periods ? faults.add("periods", *periods, allowed) : faults.add("time", *time, allowed);
+        periods ? throwFault("periods", *periods, allowed) : throwFault("time", *time, allowed);
     }
-    faults.throwIfAny();
     return total;
 }
 

@@ -73,7 +73,6 @@ void refuse(std::string_view name, std::string_view text, std::string_view allow
         throw std::invalid_argument(fmt::format("{} is missing: allowed {}", name, allowed));
     }
     throwFault(name, text.empty() ? "''" : text, allowed);
-    throw std::logic_error("a fault was added");
 }
 
 void refuseIf(bool isWrong, std::string_view name, std::string_view text, std::string_view allowed)

@@ -31,20 +31,19 @@ void requireSize(const Request& request)
         return;
     }
     const FindOptions& options = request.options;
-    Faults faults;
     if (!isCone(schedule.stops)) {
         const bool touchesBoth =
             std::any_of(schedule.phases.begin(), schedule.phases.end(),
                         [](const Phase& phase) { return phase.stop == Stop::left; });
         if (!touchesBoth && !options.energyRatio) {
-            faults.add(
+            throwFault(
                 "schedule", describe(schedule),
                 "those with a contact on the second stop where the gap is 0 and no energy sets "
                 "the size");
         }
-        faults.throwIfAny();
         return;
     }
+    Faults faults;
     if (!options.energyRatio) {
         faults.add("energyRatio", "not given",
                    "finite and > 0 where the gap is 0: motions have any size");
