@@ -10,6 +10,7 @@ namespace signorini::python {
 namespace {
 
 using answers::Drive;
+using answers::SimulationAnswer;
 
 /// Waves off any grid, and their units.
 using WavesOf = Of<Waves>;
@@ -20,7 +21,7 @@ struct Seen {
     std::vector<ContactEvent> contacts = {};
     std::vector<TipPoint> path = {};
 };
-using Simulated = With<answers::SimulationAnswer, Seen>;
+using Simulated = With<SimulationAnswer, Seen>;
 using SharedSimulation = std::shared_ptr<Simulated>;
 
 double second(const Bar& bar)
@@ -121,37 +122,6 @@ void addSimulated(py::module_& module)
     });
 }
 
-Excitation excitationOf(Drive& drive, double cells, const Bar& bar)
-{
-    Excitation excitation =
-        excitationAt({.place = drive.place,
-                      .amplitude = drive.amplitude / amplitudeUnit(drive.place, bar),
-                      .phase = drive.phase,
-                      .stepsPerCrossing = cells},
-                     drive.frequencyRatio);
-    drive.follow(excitation, bar);
-    return excitation;
-}
-
-/// Goes on stretch by stretch, and sees whether it repeats itself.
-Simulated simulated(Simulated answer, const Excitation& excitation, double stretch, double total,
-                    bool wantsTip, const Wires& wires)
-{
-    BarSimulation simulation(answer.more.waves, answer.damping, excitation,
-                             {.mergeBelow = {},
-                              .recordsTip = wantsTip,
-                              .stops = stopsOf(answer.scene),
-                              .segments = {},
-                              .resolution = answer.resolution});
-    const Followed followed = follow(simulation, stretch, total, wires.cancel, wires.progress);
-    answer.settling = answer.drive ? followed.settling : Settling{};
-    answer.see(simulation);
-    answer.more.waves = simulation.waves();
-    answer.more.contacts = simulation.contacts();
-    answer.more.path = simulation.tipPath();
-    return answer;
-}
-
 /// Where it starts: at rest, from a state, or from waves.
 Waves startOf(const Asked& asked, std::optional<std::int64_t> cells, const Stops& stops,
               const std::function<Excitation(double)>& drivenBy)
@@ -169,37 +139,29 @@ Waves startOf(const Asked& asked, std::optional<std::int64_t> cells, const Stops
 
 Simulated simulate(const Asked& asked)
 {
-    Simulated answer;
-    answer.scene = asked.scene();
-    const Bar bar = answer.scene.bar;
-    answer.damping = asked.damping();
-    std::optional<double> frequency;
+    SimulationAnswer answer{.scene = asked.scene(), .damping = asked.damping()};
+    const Bar units = answer.scene.bar;
     if (asked.has("frequency")) {
-        frequency = asked.frequency("frequency", bar);
-    }
-    const auto cells = asked.maybe<std::int64_t>("cells");
-    if (frequency) {
-        answer.drive = Drive{asked.place(), *asked.displacement(*frequency, bar), *frequency,
+        const double ratio = asked.frequency("frequency", units);
+        answer.drive = Drive{asked.place(), *asked.displacement(ratio, units), ratio,
                              asked.get<double>("phase")};
     }
+    const auto cells = asked.maybe<std::int64_t>("cells");
     const auto drivenBy = [&](double grid) {
-        return answer.drive ? excitationOf(*answer.drive, grid, bar)
+        return answer.drive ? answer.drive->excitation(units, grid)
                             : Excitation{.stepsPerCrossing = grid};
     };
-    answer.more.waves = startOf(asked, cells, stopsOf(answer.scene), drivenBy);
-    answer.cells = static_cast<std::int64_t>(answer.more.waves.crossing);
-    const Excitation excitation =
-        drivenBy(cells ? static_cast<double>(*cells) : answer.more.waves.crossing);
-    const double stretch = stretchOf(excitation, answer.more.waves.crossing);
-    const double total =
-        answers::stretchesOf(stretch, answer.more.waves.crossing, bar, asked.maybe<double>("time"),
-                             asked.maybe<std::int64_t>("periods"));
-    const auto resolve = asked.maybe<double>("resolve");
-    answer.resolution = resolve ? *resolve / second(bar) : 1.0 / excitation.stepsPerCrossing;
-    const bool tip = asked.get<bool>("tip");
+    const Waves start = startOf(asked, cells, stopsOf(answer.scene), drivenBy);
+    const Excitation driving = drivenBy(cells ? static_cast<double>(*cells) : start.crossing);
+    answers::FollowedBar bar =
+        started(std::move(answer), start, driving,
+                {asked.maybe<double>("time"), asked.maybe<std::int64_t>("periods"),
+                 asked.maybe<double>("resolve"), asked.get<bool>("tip")});
     return patiently(
-        [answer = std::move(answer), excitation, stretch, total, tip](const Wires& wires) {
-            return simulated(answer, excitation, stretch, total, tip, wires);
+        [bar = std::move(bar)](const Wires& wires) mutable {
+            bar.follow(wires.cancel, wires.progress);
+            const BarSimulation& done = bar.simulation;
+            return Simulated{bar.answer, {done.waves(), done.contacts(), done.tipPath()}};
         },
         asked.progress());
 }

@@ -1,29 +1,27 @@
 #include "simulation_answer.hpp"
 
+#include <utility>
+
 #include "faults.hpp"
 #include "stepped_bar.hpp"
 
 namespace signorini::answers {
 
+Excitation Drive::excitation(const Bar& bar, double cells, std::string_view field)
+{
+    Excitation made = excitationAt({.place = place,
+                                    .amplitude = amplitude / amplitudeUnit(place, bar),
+                                    .phase = phase,
+                                    .stepsPerCrossing = cells},
+                                   frequencyRatio, field);
+    follow(made, bar);
+    return made;
+}
+
 void Drive::follow(const Excitation& excitation, const Bar& bar)
 {
     steps = excitation.steps();
     period = static_cast<double>(steps) / excitation.stepsPerCrossing * scales(bar).time;
-}
-
-double stretchesOf(double stretch, double crossing, const Bar& bar,
-                   const std::optional<double>& time, const std::optional<std::int64_t>& periods)
-{
-    constexpr double longest = 1e9;  // [L/c]
-    const double unit = scales(bar).time;
-    const double total =
-        periods ? static_cast<double>(*periods) : *time / unit * crossing / stretch;
-    if (!(total * stretch <= longest * crossing)) {
-        const std::string allowed =
-            fmt::format("what lasts at most {} L/c, {:.3g} s", longest, longest * unit);
-        periods ? throwFault("periods", *periods, allowed) : throwFault("time", *time, allowed);
-    }
-    return total;
 }
 
 std::string_view name(Ending ending)
@@ -55,6 +53,41 @@ void SimulationAnswer::see(const BarSimulation& simulation)
 Bar SimulationAnswer::bar() const
 {
     return firstMaterial(scene);
+}
+
+void FollowedBar::follow(const Cancel& cancel, const std::function<void(double, double)>& show)
+{
+    Followed followed = signorini::follow(simulation, stretch, total, cancel, show);
+    answer.isComplete = followed.isComplete;
+    answer.settling = answer.drive ? std::move(followed.settling) : Settling{};
+    answer.see(simulation);
+}
+
+FollowedBar started(SimulationAnswer asked, const Waves& start, const Excitation& driving,
+                    const SimulationWish& wish)
+{
+    constexpr double longest = 1e9;  // [L/c]
+    const double unit = scales(asked.bar()).time;
+    const double crossing = start.crossing;
+    const double stretch = stretchOf(asked.drive ? driving : Excitation{}, crossing);
+    const double total =
+        wish.periods ? static_cast<double>(*wish.periods) : *wish.time / unit * crossing / stretch;
+    if (!(total * stretch <= longest * crossing)) {
+        const std::string allowed =
+            fmt::format("what lasts at most {} L/c, {:.3g} s", longest, longest * unit);
+        wish.periods ? throwFault("periods", *wish.periods, allowed)
+                     : throwFault("time", *wish.time, allowed);
+    }
+    const std::vector<Segment>& parts = asked.scene.segments;
+    asked.cells = static_cast<std::int64_t>(crossing);
+    asked.resolution = wish.resolution ? *wish.resolution / unit : 1.0 / driving.stepsPerCrossing;
+    BarSimulation simulation(start, asked.damping, driving,
+                             {.mergeBelow = {},
+                              .recordsTip = wish.recordsTip,
+                              .stops = stopsOf(asked.scene),
+                              .segments = isUniform(parts) ? std::vector<Segment>{} : parts,
+                              .resolution = asked.resolution});
+    return {std::move(asked), std::move(simulation), stretch, total};
 }
 
 }  // namespace signorini::answers

@@ -16,15 +16,12 @@ struct Drive {
     std::int64_t steps = 0;       ///< of a period
     double period = 0.0;          ///< [s]
 
+    /// In so many steps in L/c, nearly, which it follows. \throws as excitationAt naming `field`.
+    [[nodiscard]] Excitation excitation(const Bar& bar, double cells,
+                                        std::string_view field = "frequency");
     /// Takes steps and period of an excitation.
     void follow(const Excitation& excitation, const Bar& bar);
 };
-
-/// How many stretches of time (settling.hpp) a call asks for: so many seconds, or periods of what
-/// drives the bar. \throws std::invalid_argument naming time or periods beyond 1e9 L/c.
-[[nodiscard]] double stretchesOf(double stretch, double crossing, const Bar& bar,
-                                 const std::optional<double>& time,
-                                 const std::optional<std::int64_t>& periods);
 
 /// Did it reach its end?
 enum class Ending { done, interrupted };
@@ -73,6 +70,30 @@ struct SimulationAnswer {
     [[nodiscard]] Bar bar() const;
     [[nodiscard]] Ending status() const { return isComplete ? Ending::done : Ending::interrupted; }
 };
+
+/// How long a bar is followed, and what is seen of it.
+struct SimulationWish {
+    std::optional<double> time = {};           ///< [s]
+    std::optional<std::int64_t> periods = {};  ///< in its place: of what drives the bar
+    std::optional<double> resolution = {};     ///< [s]; one step of the excitation without
+    bool recordsTip = true;
+};
+
+/// A bar on its way, and its answer.
+struct FollowedBar {
+    SimulationAnswer answer;
+    BarSimulation simulation;
+    double stretch = 1.0;  ///< of time (settling.hpp)
+    double total = 0.0;    ///< so many of them
+
+    /// To the end, or until it is cancelled.
+    void follow(const Cancel& cancel, const std::function<void(double, double)>& show);
+};
+
+/// A bar at its start. Scene, damping and drive are those of `asked`.
+/// \throws std::invalid_argument naming time or periods beyond 1e9 L/c; as BarSimulation.
+[[nodiscard]] FollowedBar started(SimulationAnswer asked, const Waves& start,
+                                  const Excitation& driving, const SimulationWish& wish);
 
 void describe(auto& d, Type<Drive>)
 {

@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "files.hpp"
 #include "force_history.hpp"
 #include "hints.hpp"
 #include "progress.hpp"
 #include "reports.hpp"
-#include "signorini/settling.hpp"
 #include "state_table.hpp"
 #include "stepped_bar.hpp"
 #include "table.hpp"
@@ -89,23 +89,20 @@ Waves SimulateCommand::start(const Scene& scene, double base) const
                    [&] { return readWaves(fromFile, firstMaterial(scene), cells, parts.empty()); });
 }
 
-Excitation SimulateCommand::excitation(const Bar& bar, double cells) const
+Excitation SimulateCommand::excitation(std::optional<answers::Drive>& drive, const Bar& bar,
+                                       double cells) const
 {
     if (given.has("--force-file")) {
         const double step = scales(bar).time / cells;
         return {.values = forceHistory(step, answers::forceUnit(bar), *time / step),
                 .stepsPerCrossing = cells};
     }
-    if (!force.place) {
+    if (!drive) {
         return {.stepsPerCrossing = cells};
     }
-    const double ratio = frequency.ratioFor(firstHertz(bar));
     return hinting("--frequency", frequency.ratio, firstHertz(bar), bar, [&] {
-        return excitationAt({.place = *force.place,
-                             .amplitude = force.at(ratio * firstHertz(bar)).scaledAmplitude(bar),
-                             .phase = phase,
-                             .stepsPerCrossing = cells},
-                            ratio, "--frequency");
+        (void)force.at(drive->frequencyRatio * firstHertz(bar)).scaledAmplitude(bar);
+        return drive->excitation(bar, cells, "--frequency");
     });
 }
 
@@ -145,37 +142,25 @@ ExitStatus SimulateCommand::run() const
     }
     const Scene scene = common.scene();
     const Bar bar = firstMaterial(scene);
-    SimulationAnswer answer{.scene = scene, .damping = force.damping()};
+    SimulationAnswer asked{.scene = scene, .damping = force.damping()};
+    if (force.place) {
+        const double ratio = frequency.ratioFor(firstHertz(bar));
+        asked.drive = answers::Drive{*force.place, *force.at(ratio * firstHertz(bar)).amplitude,
+                                     ratio, phase};
+    }
     Outputs outputs(
         given, {"--events", "--statistics", "--tip", "--figure", "--state"},
         {{"--from", given.text("--from")}, {"--force-file", given.text("--force-file")}});
     const auto usual = static_cast<double>(common.usualCells());
-    const Waves waves = start(scene, excitation(bar, usual).baseDisplacement(0));
-    answer.cells = static_cast<std::int64_t>(waves.crossing);
-    const Excitation driving = excitation(bar, common.cells ? usual : waves.crossing);
-    if (force.place) {
-        const double ratio = frequency.ratioFor(firstHertz(bar));
-        answer.drive = answers::Drive{*force.place, *force.at(ratio * firstHertz(bar)).amplitude,
-                                      ratio, phase};
-        answer.drive->follow(driving, bar);
-    }
-    const double second = scales(bar).time;
-    const auto resolution = given.number("--resolve");
-    answer.resolution = resolution ? *resolution / second : 1.0 / driving.stepsPerCrossing;
-    BarSimulation simulation(waves, force.damping(), driving,
-                             {.mergeBelow = {},
-                              .recordsTip = given.has("--tip") || given.has("--figure"),
-                              .stops = stopsOf(scene),
-                              .segments = partsOf(scene),
-                              .resolution = answer.resolution});
-    const double stretch = stretchOf(force.place ? driving : Excitation{}, waves.crossing);
-    const double total = answers::stretchesOf(stretch, waves.crossing, bar, time, periods);
-    const Followed followed =
-        watched(common, "simulating", [&](const Cancel& cancel, const auto& show) {
-            return follow(simulation, stretch, total, cancel, show);
-        });
-    answer.isComplete = followed.isComplete;
-    answer.settling = answer.drive ? followed.settling : Settling{};
+    const Waves waves = start(scene, excitation(asked.drive, bar, usual).baseDisplacement(0));
+    const Excitation driving = excitation(asked.drive, bar, common.cells ? usual : waves.crossing);
+    answers::FollowedBar followed = started(
+        std::move(asked), waves, driving,
+        {time, periods, given.number("--resolve"), given.has("--tip") || given.has("--figure")});
+    watched(common, "simulating",
+            [&](const Cancel& cancel, const auto& show) { followed.follow(cancel, show); });
+    const SimulationAnswer& answer = followed.answer;
+    const BarSimulation& simulation = followed.simulation;
     if (!std::isfinite(simulation.energyRatio() * scales(bar).energy)) {
         throw std::overflow_error("the energy [J] is beyond the range of numbers");
     }
@@ -193,7 +178,6 @@ ExitStatus SimulateCommand::run() const
     } else {
         common.say("interrupted; no file was written");
     }
-    answer.see(simulation);
     report(common, answer, answer.cells, force.ratio);
     common.useOneThread();
     return exitStatusOf(answer.status());

@@ -9,7 +9,7 @@
 #include "arguments.hpp"
 #include "force_options.hpp"
 #include "given.hpp"
-#include "signorini/simulation.hpp"
+#include "simulation_answer.hpp"
 
 namespace signorini::cli {
 
@@ -44,7 +44,8 @@ private:
     }
     /// The start, `base` [g] the place of the base then.
     [[nodiscard]] Waves start(const Scene& scene, double base) const;
-    [[nodiscard]] Excitation excitation(const Bar& bar, double cells) const;
+    [[nodiscard]] Excitation excitation(std::optional<answers::Drive>& drive, const Bar& bar,
+                                        double cells) const;
 };
 
 /// Any bars with any contacts, event by event: a call with --scene, --velocity or --gravity.
