@@ -69,25 +69,12 @@ void addErrors(py::module_& module)
 /// One truth of colours.
 py::dict colours()
 {
-    const auto list = [](const auto& colours) {
-        py::list names;
-        for (const char* colour : colours) {
-            names.append(colour);
-        }
-        return names;
-    };
-    py::dict dict;
-    dict["ink"] = palette::ink;
-    dict["strain"] = palette::strain;
-    dict["velocity"] = palette::velocity;
-    dict["contact"] = palette::contact;
-    dict["faint"] = palette::faint;
-    dict["grid"] = palette::grid;
-    dict["sequence"] = list(palette::sequence);
-    dict["on_paper"] = palette::onPaper;
-    dict["diverging"] = list(palette::diverging);
-    dict["fading"] = list(palette::fading);
-    return dict;
+    using namespace py::literals;
+    return py::dict("ink"_a = palette::ink, "strain"_a = palette::strain,
+                    "velocity"_a = palette::velocity, "contact"_a = palette::contact,
+                    "faint"_a = palette::faint, "grid"_a = palette::grid,
+                    "sequence"_a = palette::sequence, "on_paper"_a = palette::onPaper,
+                    "diverging"_a = palette::diverging, "fading"_a = palette::fading);
 }
 
 /// Name to version, None where this build does without.

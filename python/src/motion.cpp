@@ -11,21 +11,10 @@
 namespace signorini::python {
 
 template <>
-inline constexpr bool isKept<GridMotion> = true;
-template <>
-inline void put(Writer& to, const GridMotion& m)
-{
-    put(to, m.state);
-    put(to, m.schedule);
-    put(to, m.scene);
-}
-template <>
-inline GridMotion take(Reader& from)
-{
-    auto state = take<std::shared_ptr<const State>>(from);
-    const auto schedule = take<Schedule>(from);
-    return {std::move(state), schedule, take<Scene>(from)};
-}
+struct Members<GridMotion> {
+    static constexpr auto list =
+        std::tuple{&GridMotion::state, &GridMotion::schedule, &GridMotion::scene, &GridMotion::bar};
+};
 
 namespace {
 

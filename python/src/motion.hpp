@@ -18,6 +18,7 @@ namespace signorini::python {
 /// A motion on a grid, with what it is made of: the field is prepared when it is first asked for.
 class GridMotion {
 public:
+    GridMotion() = default;
     GridMotion(std::shared_ptr<const State> atStart, Schedule followed, Scene where)
         : state(std::move(atStart)),
           schedule(std::move(followed)),

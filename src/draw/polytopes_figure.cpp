@@ -7,6 +7,7 @@
 
 #include "axes.hpp"
 #include "faults.hpp"
+#include "modes_answer.hpp"
 #include "signorini/figures.hpp"
 
 namespace signorini {
@@ -35,15 +36,6 @@ std::pair<double, double> firstContact(const ModePolytope& polytope, double peri
         most = std::max(most, contact);
     }
     return {least, most};
-}
-
-std::int64_t contactSum(const ModePolytope& polytope)
-{
-    std::int64_t sum = 0;
-    for (const ModeChain& chain : polytope.chains) {
-        sum += 2 * chain.k;
-    }
-    return sum;
 }
 
 /// Those of one sort: the first contact over T, from and to, and E/E_1 over ω/ω_1.
@@ -108,7 +100,8 @@ Series labelsOf(std::span<const ModePolytope> polytopes, double width)
         const bool isNew = places.emplace(low, std::round(1e3 * contact)).second;
         if (isNew && polytope.highest.value() - low > least * width) {
             labels.add(low, contact,
-                       fmt::format("{} − {}T ", contactSum(polytope), polytope.order));
+                       fmt::format("{} − {}T ", std::get<0>(answers::contactOf(polytope)),
+                                   polytope.order));
         }
     }
     return labels;
