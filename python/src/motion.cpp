@@ -31,7 +31,7 @@ double speedOf(const std::vector<Segment>& segments, std::int64_t cell)
 }
 
 /// Names what is outside the bar, or never, as the caller gave it.
-[[noreturn]] void refusePlace(double x, double t, double length, const char* unit)
+void requirePlace(double x, double t, double length, const char* unit)
 {
     Faults faults;
     if (!(x >= 0.0 && x <= length)) {
@@ -41,7 +41,6 @@ double speedOf(const std::vector<Segment>& segments, std::int64_t cell)
         faults.add("t", t, "finite numbers");
     }
     faults.throwIfAny();
-    throw std::logic_error("a place on the bar was refused");
 }
 
 /// The motion of a grid on x [L] and t [L/c].
@@ -89,9 +88,7 @@ void addFieldsOf(Record<T>& record)
                            isRatio ? Scales{1.0, 1.0, 1.0, 1.0, 1.0, 1.0} : scales(motion.bar);
                        const double most = isRatio ? 1.0 : motion.bar.length;
                        return Grid(x, t).of([&](double place, double instant) {
-                           if (!(place >= 0.0 && place <= most && std::isfinite(instant))) {
-                               refusePlace(place, instant, most, length);
-                           }
+                           requirePlace(place, instant, most, length);
                            return scale.*unit * (field.*member)(place / most, instant / scale.time);
                        });
                    });

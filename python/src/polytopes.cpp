@@ -119,9 +119,7 @@ void addPolytope(py::module_& module)
              "arrivals.",
              [](const PolytopeOf& p, double period, const std::vector<double>& arrivals) {
                  const auto times = stretches(p.value, {period, arrivals});
-                 return filled(static_cast<std::int64_t>(times.size()), [&times](std::int64_t k) {
-                     return times[static_cast<std::size_t>(k)];
-                 });
+                 return py::array_t<double>(static_cast<py::ssize_t>(times.size()), times.data());
              })
         .can("schedules", {"cells", "steps"},
              "On N cells, of the motions with T = steps/cells L/c, one for each orbit.",

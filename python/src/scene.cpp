@@ -124,9 +124,7 @@ void addSchedule(py::module_& module)
 {
     Record<Schedule> record(module, "Schedule", "Contacts and flights of one period, in steps.");
     record.key("cells", &Schedule::cells, "N, cells of the bar.")
-        .key(
-            "phases", [](const Schedule& s) { return asPython(s.phases); },
-            "[(n_c, n_f), ...], contact and free steps.")
+        .key("phases", &Schedule::phases, "[(n_c, n_f), ...], contact and free steps.")
         .has("steps", "n, all steps of a period.", [](const Schedule& s) { return steps(s); })
         .has("period_ratio", "c T/L = n/N.", [](const Schedule& s) { return period(s); })
         .has("frequency_ratio", "omega/omega_1 = 4N/n.",

@@ -72,7 +72,7 @@ void addWaves(py::module_& module)
         .has("b", "Left-going, base first [g/L]; no copy.", values(&Waves::b))
         .has("a_duration", "Of each piece [L/c].", durations(&Waves::a))
         .has("b_duration", "Of each piece [L/c].", durations(&Waves::b))
-        .has("bar", "Its units.", [](const WavesOf& w) { return w.bar; })
+        .has("bar", "Its units.", &WavesOf::bar)
         .both("energy", "energy_unit", "E [J].", "E/E_1.",
               [](const WavesOf& w) { return energyRatio(w.value); })
         .can("stretching", {"cells"}, "u(x_i) - u(0) at x_0 ... x_N [m].",

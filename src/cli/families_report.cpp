@@ -12,28 +12,10 @@ namespace {
 
 constexpr std::size_t pieceSize = std::size_t{1} << 16;
 
-/// What people ask of a family, in the units of a bar.
-struct FamilyNumbers {
-    double periodRatio;        ///< [L/c]
-    double frequencyRatio;     ///< [-], omega/omega_1
-    double period;             ///< [s]
-    double frequency;          ///< [Hz]
-    double energyRatio;        ///< [E_1], least
-    double energy;             ///< [J], least
-    std::optional<Mode> mode;  ///< on whose curve it stands, inside
-};
-
-FamilyNumbers numbersOf(const Family& family, const Scales& unit)
+/// On whose curve it stands, inside.
+std::optional<Mode> modeOf(const Family& family)
 {
-    const double ratio = exactPeriod(family).value();
-    const double energy = leastEnergy(family).value();
-    return {.periodRatio = ratio,
-            .frequencyRatio = 4.0 / ratio,
-            .period = ratio * unit.time,
-            .frequency = 1.0 / (ratio * unit.time),
-            .energyRatio = energy,
-            .energy = energy * unit.energy,
-            .mode = standsOnMode(family) ? std::optional(modeThrough(family)) : std::nullopt};
+    return standsOnMode(family) ? std::optional(modeThrough(family)) : std::nullopt;
 }
 
 /// Calls `add(text, family)` for each and hands the text on to `write` in pieces.
@@ -71,15 +53,16 @@ void writeText(const answers::FamilyList& list, const Write& write)
     inPieces(
         list.families,
         [&unit](Text& text, const Family& family) {
-            const FamilyNumbers numbers = numbersOf(family, unit);
+            const double period = exactPeriod(family).value();
             const ExactEnergy least = leastEnergy(family);
+            const std::optional<Mode> mode = modeOf(family);
             print(text,
                   "{:>5} {:>5} {:>4}  {:<10}{:<10}{:<10.6g}{:<13.7g}{:<13}{:<13.6g}{:<14.6g}{}\n",
                   family.order, family.blocks, family.contactBlocks,
                   fractionAsText(exactPeriod(family)), fractionAsText(longestContact(family)),
-                  numbers.frequencyRatio, numbers.frequency,
-                  fractionAsText({least.numerator, least.denominator}), numbers.energyRatio,
-                  numbers.energy, numbers.mode ? contactAsText(*numbers.mode) : "–");
+                  4.0 / period, 1.0 / (period * unit.time),
+                  fractionAsText({least.numerator, least.denominator}), least.value(),
+                  least.value() * unit.energy, mode ? contactAsText(*mode) : "–");
         },
         write);
 }
@@ -106,13 +89,16 @@ void writeFamiliesCsv(const std::string& path, const answers::FamilyList& list)
     constexpr std::string_view header =
         "order,nu,contact_blocks,period_ratio,contact_ratio,frequency_ratio,least_energy_ratio,"
         "period,frequency,least_energy,mode_contact,mode_turns";
-    writeCsv(path, header, [&list](CsvRows& row) {
+    const Scales unit = scales(list.bar);
+    writeCsv(path, header, [&](CsvRows& row) {
         for (const Family& family : list.families) {
-            const FamilyNumbers numbers = numbersOf(family, scales(list.bar));
-            row(family.order, family.blocks, family.contactBlocks, numbers.periodRatio,
-                longestContact(family).value(), numbers.frequencyRatio, numbers.energyRatio,
-                numbers.period, numbers.frequency, numbers.energy,
-                numbers.mode ? fmt::format("{},{}", 4 * numbers.mode->a, numbers.mode->b) : ",");
+            const double period = exactPeriod(family).value();
+            const double energy = leastEnergy(family).value();
+            const std::optional<Mode> mode = modeOf(family);
+            row(family.order, family.blocks, family.contactBlocks, period,
+                longestContact(family).value(), 4.0 / period, energy, period * unit.time,
+                1.0 / (period * unit.time), energy * unit.energy,
+                mode ? fmt::format("{},{}", 4 * mode->a, mode->b) : ",");
         }
     });
 }
