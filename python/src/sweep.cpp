@@ -143,23 +143,16 @@ std::vector<StudyPoint> study(const Asked& asked)
     const auto question = asked.get<std::string>("question");
     return patiently(
         [=](const Wires& wires) {
-            const RowOf row = [&](std::size_t k) -> std::optional<std::string> {
-                const auto point = answers::studyAt(all[k], wires.cancel);
-                return point ? std::optional(answers::rowOf(*point)) : std::nullopt;
+            const RowOf row = [&](std::size_t k) {
+                return answers::studyRow(all[k], wires.cancel);
             };
-            std::vector<StudyPoint> done;
-            for (const std::string& text : tabulated({.file = file,
-                                           .question = question,
-                                           .header = answers::studyHeader(),
-                                           .keys = mapped(all, answers::keyOf),
-                                           .resumes = true,
-                                           .deal = byThreads(row, threads),
-                                           .show = wires.progress})) {
-                if (!text.empty()) {
-                    done.push_back(answers::studyPointOf(text));
-                }
-            }
-            return done;
+            return answers::studyPointsOf(tabulated({.file = file,
+                                                     .question = question,
+                                                     .header = answers::studyHeader,
+                                                     .keys = mapped(all, answers::keyOf),
+                                                     .resumes = true,
+                                                     .deal = byThreads(row, threads),
+                                                     .show = wires.progress}));
         },
         asked.progress());
 }

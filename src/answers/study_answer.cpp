@@ -16,8 +16,7 @@ void keepLarger(std::optional<double>& worst, const std::optional<double>& value
     }
 }
 
-}  // namespace
-
+/// The worst of a sweep up and down; nothing if it was cancelled.
 std::optional<StudyPoint> studyAt(const StudyCase& of, const Cancel& cancel)
 {
     SweepAnswer answer = of.sweep;
@@ -52,28 +51,7 @@ std::optional<StudyPoint> studyAt(const StudyCase& of, const Cancel& cancel)
     return point;
 }
 
-std::string studyHeader()
-{
-    return "gap,damping,amplitude,impulse,frequency,mean_force,peak_strain,peak_stress,"
-           "rattles_from,rattles_to,irregular";
-}
-
-std::string rowOf(const StudyPoint& p)
-{
-    const auto maybe = [](const std::optional<double>& value) {
-        return value ? fmt::format("{}", *value) : std::string();
-    };
-    return fmt::format("{},{},{},{},{},{},{},{},{},{},{}", p.gap, p.damping, p.amplitude, p.impulse,
-                       p.frequency, p.meanForce, maybe(p.strain), maybe(p.stress), maybe(p.from),
-                       maybe(p.to), p.irregular);
-}
-
-std::string keyOf(const StudyCase& of)
-{
-    return fmt::format("{},{},{},", of.sweep.scene.bar.gap, of.sweep.range.damping.ratio,
-                       of.amplitude);
-}
-
+/// \throws std::invalid_argument on a row that is none.
 StudyPoint studyPointOf(const std::string& row)
 {
     std::vector<std::optional<double>> fields;
@@ -96,10 +74,43 @@ StudyPoint studyPointOf(const std::string& row)
                          fields.back();
     if (!isWhole) {
         throw std::invalid_argument(
-            fmt::format("row {}: allowed a row of a study: {}", row, studyHeader()));
+            fmt::format("row {}: allowed a row of a study: {}", row, studyHeader));
     }
     return {*fields[0], *fields[1], *fields[2], *fields[3], *fields[4], *fields[5],
             fields[6],  fields[7],  fields[8],  fields[9],  *fields[10]};
+}
+
+}  // namespace
+
+std::optional<std::string> studyRow(const StudyCase& of, const Cancel& cancel)
+{
+    const std::optional<StudyPoint> p = studyAt(of, cancel);
+    if (!p) {
+        return std::nullopt;
+    }
+    const auto maybe = [](const std::optional<double>& value) {
+        return value ? fmt::format("{}", *value) : std::string();
+    };
+    return fmt::format("{},{},{},{},{},{},{},{},{},{},{}", p->gap, p->damping, p->amplitude,
+                       p->impulse, p->frequency, p->meanForce, maybe(p->strain), maybe(p->stress),
+                       maybe(p->from), maybe(p->to), p->irregular);
+}
+
+std::string keyOf(const StudyCase& of)
+{
+    return fmt::format("{},{},{},", of.sweep.scene.bar.gap, of.sweep.range.damping.ratio,
+                       of.amplitude);
+}
+
+std::vector<StudyPoint> studyPointsOf(const std::vector<std::string>& rows)
+{
+    std::vector<StudyPoint> points;
+    for (const std::string& row : rows) {
+        if (!row.empty()) {
+            points.push_back(studyPointOf(row));
+        }
+    }
+    return points;
 }
 
 }  // namespace signorini::answers

@@ -29,16 +29,17 @@ struct StudyCase {
     double amplitude = 0.0;
 };
 
-/// Sweeps up and down; nothing if it was cancelled. \throws as `sweep`.
-[[nodiscard]] std::optional<StudyPoint> studyAt(const StudyCase& of, const Cancel& cancel = {});
-
-/// The columns of a table of points, and its rows without newlines; what is unknown is empty.
-[[nodiscard]] std::string studyHeader();
-[[nodiscard]] std::string rowOf(const StudyPoint& point);
+/// The columns of a table of points.
+inline constexpr const char* studyHeader =
+    "gap,damping,amplitude,impulse,frequency,mean_force,peak_strain,peak_stress,rattles_from,"
+    "rattles_to,irregular";
+/// The worst of sweeps up and down as a row without a newline, in which what is unknown is empty;
+/// nothing if it was cancelled. \throws as `sweep`.
+[[nodiscard]] std::optional<std::string> studyRow(const StudyCase& of, const Cancel& cancel = {});
 /// With which the row of a case begins.
 [[nodiscard]] std::string keyOf(const StudyCase& of);
-/// \throws std::invalid_argument on a row that is none.
-[[nodiscard]] StudyPoint studyPointOf(const std::string& row);
+/// Of all rows that are not empty. \throws std::invalid_argument on one that is none.
+[[nodiscard]] std::vector<StudyPoint> studyPointsOf(const std::vector<std::string>& rows);
 
 /// The outcome of one call.
 struct StudyAnswer {

@@ -40,10 +40,8 @@ std::string tomlOf(const std::string& path)
 /// The row of a case, or nothing if it was cancelled.
 RowOf rowsOf(const StudyQuestion& question, const Cancel& cancel)
 {
-    return [&question, cancel](std::size_t k) -> std::optional<std::string> {
-        const std::optional<StudyPoint> point = answers::studyAt(question.cases[k], cancel);
-        return point ? std::optional(answers::rowOf(*point)) : std::nullopt;
-    };
+    return
+        [&question, cancel](std::size_t k) { return answers::studyRow(question.cases[k], cancel); };
 }
 
 std::string asText(const StudyAnswer& answer)
@@ -81,7 +79,7 @@ StudyAnswer answerOf(const Given& given, const StudyQuestion& question, const De
     const RowTable table{
         .file = csvFile,
         .question = question.text,
-        .header = answers::studyHeader(),
+        .header = answers::studyHeader,
         .keys = mapped(question.cases, answers::keyOf),
         .resumes = given.has("--resume"),
         .deal = deal,
@@ -89,13 +87,9 @@ StudyAnswer answerOf(const Given& given, const StudyQuestion& question, const De
     StudyAnswer answer;
     answer.place = question.cases.front().sweep.range.place;
     answer.derivative = question.cases.front().sweep.range.derivative;
-    const auto rows = csvFile.empty() ? tabulated(table)
-                                      : forFile("--csv", csvFile, [&] { return tabulated(table); });
-    for (const std::string& row : rows) {
-        if (!row.empty()) {
-            answer.points.push_back(answers::studyPointOf(row));
-        }
-    }
+    answer.points = answers::studyPointsOf(
+        csvFile.empty() ? tabulated(table)
+                        : forFile("--csv", csvFile, [&] { return tabulated(table); }));
     answer.isComplete = answer.points.size() == question.cases.size();
     return answer;
 }
