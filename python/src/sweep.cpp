@@ -16,8 +16,10 @@ using answers::SweepPointOf;
 
 namespace {
 
-/// A sweep without points, its numbers being in SI units. \throws std::invalid_argument.
-SweepAnswer inUnits(SweepRange range, const Scene& scene, const Asked& asked, double amplitude)
+/// A sweep without points, its numbers being in SI units, of a scene or of what `bars` are.
+/// \throws std::invalid_argument.
+SweepAnswer inUnits(SweepRange range, const Scene& scene, const Asked& asked, double amplitude,
+                    const Network* bars = nullptr)
 {
     validate(scene);
     const Bar bar = answers::unitsOf(scene);
@@ -47,8 +49,9 @@ SweepAnswer inUnits(SweepRange range, const Scene& scene, const Asked& asked, do
         faults.add("to", most, fmt::format("at least start = {}", least));
     }
     faults.throwIfAny();
+    SweepAnswer answer{range, scene, bar, {}, true, {}};
     try {
-        (void)valuesOf(range);
+        answer.require(bars);
     } catch (const std::invalid_argument& error) {
         const std::string fault = error.what();
         const bool isFirst = fault.starts_with("least = ");
@@ -57,7 +60,7 @@ SweepAnswer inUnits(SweepRange range, const Scene& scene, const Asked& asked, do
                                               fault.substr(fault.find(" ="))
                                         : fault);
     }
-    return {range, scene, bar, {}, true, {}};
+    return answer;
 }
 
 SweepRange rangeOf(const Asked& asked)
@@ -104,7 +107,7 @@ SweepAnswer sweep(const Asked& asked)
         bars = std::make_shared<const Network>(networkOf(assembly));
         requireBars(*bars, range);
         range.cells = static_cast<double>(bars->cells());
-        answer = inUnits(range, answers::unitsOf(assembly, *bars), asked, amplitude);
+        answer = inUnits(range, answers::unitsOf(assembly, *bars), asked, amplitude, bars.get());
         answer.several = answers::severalOf(assembly, *bars);
     } else {
         answer = inUnits(range, asked.scene(), asked, amplitude);

@@ -245,6 +245,18 @@ def test_sweeps_of_several_bars_agree(program: Program) -> None:
             sg.sweep(**{**asked, **wrong})
 
 
+def test_a_refused_sweep_of_several_bars_leaves_no_file(tmp_path: Path) -> None:
+    wrongs: list[tuple[dict[str, Any], str]] = [
+        ({"resolve": 1e-9}, "at least"), ({"to": "9Hz"}, r"^to = .* \[Hz\]"),
+        ({"start": "8Hz", "to": "9Hz"}, r"^start = .* \[Hz\]")]
+    for wrong, named in wrongs:
+        with pytest.raises(ValueError, match=named):
+            sg.sweep(scene="clamp 6 dash=0.1 driven gap=1e-3 4:1.5 dash=0.2 5 clamp",
+                     force="tip", amplitude=2e-3, points=2, periods=20,
+                     file=tmp_path / "x.csv", **wrong)
+        assert not any(tmp_path.iterdir())
+
+
 def test_what_any_force_can_do_agrees(program: Program) -> None:
     for low, high, words in ((0.9, 1.1, "clamp 7 stop=2 3 driven"),
                              (-1.0, 1.0, "clamp 7 stop=0.1 3 driven")):

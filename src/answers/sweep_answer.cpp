@@ -1,5 +1,7 @@
 #include "sweep_answer.hpp"
 
+#include "network_sweep.hpp"
+
 namespace signorini::answers {
 
 double unitOf(Swept over, Excited place, const Bar& bar)
@@ -48,6 +50,14 @@ std::vector<SweepPointOf> SweepAnswer::listed() const
         all.push_back({point, range.over, range.place, bar});
     }
     return all;
+}
+
+void SweepAnswer::require(const Network* network) const
+{
+    (void)valuesOf(range);
+    if (network != nullptr) {
+        NetworkSweep{*network, bar, range}.require();
+    }
 }
 
 }  // namespace signorini::answers

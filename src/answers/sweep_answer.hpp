@@ -38,6 +38,9 @@ struct SweepAnswer {
 
     [[nodiscard]] Ending status() const { return isComplete ? Ending::done : Ending::interrupted; }
     [[nodiscard]] std::vector<SweepPointOf> listed() const;
+    /// Of the bar, or of what `network` is: \throws std::invalid_argument on a range that is none,
+    /// before anything is followed or written.
+    void require(const Network* network) const;
 };
 
 void describe(auto& d, Type<SweepPointOf>)

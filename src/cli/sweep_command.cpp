@@ -181,10 +181,7 @@ ExitStatus SweepCommand::run(SweepAnswer answer, const Network* network) const
         directions.push_back(SweepDirection::down);
     }
     Outputs outputs(given, {"--csv", "--figure", "--bifurcation"});
-    (void)valuesOf(answer.range);  // nothing is written of what is refused
-    if (network != nullptr) {
-        NetworkSweep{*network, answer.bar, answer.range}.require();
-    }
+    answer.require(network);  // nothing is written of what is refused
     const auto [option, from] = typedEnd(given, "--from");
     if (over == Swept::frequency && answer.range.least >= answers::likelyHertz &&
         option == "--from" && !from.ends_with("Hz")) {
