@@ -57,12 +57,9 @@ void Asked::requireFits(const char* name, double value)
 double Asked::frequency(const char* name, const Bar& bar) const
 {
     const py::object held = object(name);
-    if (py::isinstance<py::str>(held)) {
-        const auto text = py::cast<std::string>(held);
-        return text.ends_with("Hz") ? quantityOf(name, text, "Hz") * 4.0 * scales(bar).time
-                                    : quantityOf(name, text, "omega_1");
-    }
-    return get<double>(name);
+    const bool isHertz =
+        py::isinstance<py::str>(held) && py::cast<std::string>(held).ends_with("Hz");
+    return isHertz ? inUnit(name, "Hz") * 4.0 * scales(bar).time : inUnit(name, "omega_1");
 }
 
 double Asked::inUnit(const char* name, const char* unit) const

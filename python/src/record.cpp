@@ -61,11 +61,6 @@ void* opened(const py::handle& type, const py::object& state, MadeOf made)
 
 }  // namespace
 
-std::size_t countOfFrames(std::int64_t most)
-{
-    return static_cast<std::size_t>(std::max<std::int64_t>(most, 1));
-}
-
 std::vector<std::string> eachAsJson(const std::vector<FigureData>& figures)
 {
     return mapped(figures, plot::asJson);

@@ -67,8 +67,7 @@ private:
     py::list keys_;
 };
 
-/// Pictures of an animation: one at least, and all in JSON.
-[[nodiscard]] std::size_t countOfFrames(std::int64_t most);
+/// Pictures of an animation, all in JSON.
 [[nodiscard]] std::vector<std::string> eachAsJson(const std::vector<FigureData>& figures);
 
 /// A class with keys.
@@ -141,17 +140,17 @@ public:
         }
         return *this;
     }
-    /// Its pictures over one period, or those of the k-th of its motions, at most so many.
+    /// Its pictures over one period, or those of the k-th of its motions, at most so many > 0.
     template <typename Frames>
     Record& moves(Frames frames)
     {
         if constexpr (std::is_invocable_v<Frames, const T&, std::size_t>) {
-            class_.def("_frames", [frames](const T& of, std::int64_t most) {
-                return eachAsJson(frames(of, countOfFrames(most)));
+            class_.def("_frames", [frames](const T& of, std::size_t most) {
+                return eachAsJson(frames(of, most));
             });
         } else {
-            class_.def("_frames", [frames](const T& of, std::int64_t most, std::size_t k) {
-                return eachAsJson(frames(of, countOfFrames(most), k));
+            class_.def("_frames", [frames](const T& of, std::size_t most, std::size_t k) {
+                return eachAsJson(frames(of, most, k));
             });
         }
         return *this;

@@ -78,7 +78,7 @@ def animate(moving: Moving, path: str | os.PathLike[str] | None = None, *,
     """
     from matplotlib.animation import FuncAnimation
     found, which = motion_of(moving, index)
-    pictures = [json.loads(text) for text in found._frames(frames, *which)]
+    pictures = [json.loads(text) for text in found._frames(max(frames, 1), *which)]
     placed = axes_named(
         ("bar", "displacement"), axes, figure,
         lambda made: made.subplots(2, 1, height_ratios=[1, 2]),
