@@ -22,34 +22,12 @@ struct Seen {
     std::vector<TipPoint> path = {};
 };
 using Simulated = With<SimulationAnswer, Seen>;
-using SharedSimulation = std::shared_ptr<Simulated>;
 
-double second(const Bar& bar)
-{
-    return scales(bar).time;
-}
-
-/// A number of each struct in a list, and its units.
+/// A number of each struct in a list, on the simulation's own memory.
 template <typename T>
-struct Column {
-    const char* name;
-    double T::*member;
-    const char* unit;  ///< of the bar
-    const char* doc;
-    const char* ratioDoc;
-};
-
-/// Each in SI units, and without on the simulation's own memory.
-template <typename T>
-void addColumns(Record<Simulated>& record, std::vector<T> Seen::*list,
-                std::initializer_list<Column<T>> columns)
+auto column(std::vector<T> Seen::*list, double T::*member)
 {
-    for (const Column<T>& column : columns) {
-        record.both(column.name, column.unit, column.doc, column.ratioDoc,
-                    [list, column](const SharedSimulation& s) {
-                        return view(s->more.*list, column.member, s);
-                    });
-    }
+    return [=](const std::shared_ptr<Simulated>& s) { return view(s->more.*list, member, s); };
 }
 
 void addWaves(py::module_& module)
@@ -88,38 +66,37 @@ void addWaves(py::module_& module)
 
 void addSimulated(py::module_& module)
 {
-    const auto record = classOf<Simulated>(module);
-    addColumns<ContactEvent>(
-        *record, &Seen::contacts,
-        {{"contact_start", &ContactEvent::start, "time_unit", "[s], shape (contacts,).",
-          "[L/c]; no copy."},
-         {"contact_end", &ContactEvent::end, "time_unit", "[s]", "[L/c]; no copy."},
-         {"contact_impulse", &ContactEvent::impulse, "impulse_unit", "[N s]", "[EA g/c]; no copy."},
-         {"contact_peak_force", &ContactEvent::peakForce, "force_unit", "[N]",
-          "[EA g/L]; no copy."},
-         {"contact_mean_force", &ContactEvent::meanForce, "force_unit",
-          "Largest mean over the resolution [N].", "[EA g/L]; no copy."},
-         {"contact_speed", &ContactEvent::speed, "velocity_unit",
-          "With which the tip came to the stop [m/s].", "[c g/L]; no copy."},
-         {"contact_energy", &ContactEvent::energy, "energy_unit",
-          "Of the waves that the stop sent back [J].", "[E_1]; no copy."}});
-    addColumns<TipPoint>(
-        *record, &Seen::path,
-        {{"tip_time", &TipPoint::time, "time_unit",
-          "Instants of the path of the tip [s]; straight between.", "[L/c]; no copy."},
-         {"tip_displacement", &TipPoint::displacement, "displacement_unit",
-          "u(L) at these instants [m].", "[g]; no copy."}});
-    record->has("contact_stop", "[\"right\" or \"left\", ...], which stop was touched.",
-                [](const Simulated& s) { return mapped(s.more.contacts, &ContactEvent::stop); });
-    record->has("waves", "At the end: a Waves, from which another simulation can go on.",
-                [](const Simulated& s) {
-                    return WavesOf{s.more.waves, s.scene.bar};
-                });
-    record->draws([](const Simulated& s) {
-        const double period = s.drive ? s.drive->period / second(s.scene.bar) : 0.0;
-        return simulationFigure({s.time, stopsOf(s.scene), s.more.path, s.more.contacts, period},
-                                s.scene.bar, true);
-    });
+    classOf<Simulated>(module)
+        ->both("contact_start", "time_unit", "[s], shape (contacts,).", "[L/c]; no copy.",
+               column(&Seen::contacts, &ContactEvent::start))
+        .both("contact_end", "time_unit", "[s]", "[L/c]; no copy.",
+              column(&Seen::contacts, &ContactEvent::end))
+        .both("contact_impulse", "impulse_unit", "[N s]", "[EA g/c]; no copy.",
+              column(&Seen::contacts, &ContactEvent::impulse))
+        .both("contact_peak_force", "force_unit", "[N]", "[EA g/L]; no copy.",
+              column(&Seen::contacts, &ContactEvent::peakForce))
+        .both("contact_mean_force", "force_unit", "Largest mean over the resolution [N].",
+              "[EA g/L]; no copy.", column(&Seen::contacts, &ContactEvent::meanForce))
+        .both("contact_speed", "velocity_unit", "With which the tip came to the stop [m/s].",
+              "[c g/L]; no copy.", column(&Seen::contacts, &ContactEvent::speed))
+        .both("contact_energy", "energy_unit", "Of the waves that the stop sent back [J].",
+              "[E_1]; no copy.", column(&Seen::contacts, &ContactEvent::energy))
+        .both("tip_time", "time_unit", "Instants of the path of the tip [s]; straight between.",
+              "[L/c]; no copy.", column(&Seen::path, &TipPoint::time))
+        .both("tip_displacement", "displacement_unit", "u(L) at these instants [m].",
+              "[g]; no copy.", column(&Seen::path, &TipPoint::displacement))
+        .has("contact_stop", "[\"right\" or \"left\", ...], which stop was touched.",
+             [](const Simulated& s) { return mapped(s.more.contacts, &ContactEvent::stop); })
+        .has("waves", "At the end: a Waves, from which another simulation can go on.",
+             [](const Simulated& s) {
+                 return WavesOf{s.more.waves, s.scene.bar};
+             })
+        .draws([](const Simulated& s) {
+            const double period = s.drive ? s.drive->period / scales(s.scene.bar).time : 0.0;
+            return simulationFigure(
+                {s.time, stopsOf(s.scene), s.more.path, s.more.contacts, period}, s.scene.bar,
+                true);
+        });
 }
 
 /// Where it starts: at rest, from a state, or from waves.
