@@ -14,12 +14,6 @@ using answers::FamilyOf;
 using answers::ModeOf;
 using answers::withUnits;
 
-/// The sign of the gap, as modes and families ask for it.
-int gapSign(const Bar& bar)
-{
-    return stopsOf(bar).right;
-}
-
 void addFamily(py::module_& module)
 {
     classOf<FamilyOf>(module)
@@ -64,13 +58,12 @@ void addMode(py::module_& module)
 std::vector<FamilyOf> families(const Asked& asked)
 {
     const auto maxOrder = asked.get<std::int64_t>("max_order");
-    const auto maxEnergyRatio = asked.maybe<double>("max_energy_ratio");
     const Bar bar = asked.bar();
+    FamilyBounds bounds;
+    bounds.maxEnergyRatio = asked.maybe<double>("max_energy_ratio").value_or(bounds.maxEnergyRatio);
+    bounds.gapSign = stopsOf(bar).right;
     return patiently(
-        [=](const Wires& wires) {
-            FamilyBounds bounds;
-            bounds.maxEnergyRatio = maxEnergyRatio.value_or(bounds.maxEnergyRatio);
-            bounds.gapSign = gapSign(bar);
+        [=](const Wires& wires) mutable {
             bounds.cancel = wires.cancel;
             std::vector<FamilyOf> list;
             std::int64_t order = 0;
@@ -94,7 +87,7 @@ py::object modes(const Asked& asked)
     ModeBounds bounds{.maxOrder = asked.get<std::int64_t>("max_order"),
                       .maxPeriod = asked.get<double>("max_period_ratio"),
                       .maxEnergyRatio = asked.get<double>("max_energy_ratio"),
-                      .gapSign = phases == 1 ? answers::gapSignOfModes(bar) : gapSign(bar)};
+                      .gapSign = phases == 1 ? answers::gapSignOfModes(bar) : stopsOf(bar).right};
     const auto listed = [&](auto search) {
         return py::cast(patiently(
             [=](const Wires& wires) mutable {

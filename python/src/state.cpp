@@ -29,10 +29,10 @@ std::shared_ptr<const State> stateOf(const Numbers& a, const Numbers& b)
     return state;
 }
 
-/// One of the library's vectors, times a unit, as an array that is its own.
-py::array_t<double> array(const Eigen::VectorXd& values, double unit = 1.0)
+/// One of the library's vectors as an array that is its own.
+py::array_t<double> array(const Eigen::VectorXd& values)
 {
-    return filled(values.size(), [&](std::int64_t k) { return values[k] * unit; });
+    return py::array_t<double>(values.size(), values.data());
 }
 
 py::array_t<double> waveOf(const StateOf& s, Eigen::VectorXd State::*wave)
