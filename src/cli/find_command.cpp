@@ -162,10 +162,15 @@ ExitStatus FindCommand::findInBars() const
 
 ExitStatus FindCommand::run() const
 {
-    refuseIf(question.isAsked() && isForced() && given.has("--state"),
-             "--state: allowed of a schedule, or without force: a state file holds waves that are "
-             "constant on pieces, and under an exact harmonic they change all along; --motion "
-             "writes samples");
+    if (question.isAsked() && isForced()) {
+        refuseIf(given.has("--state"),
+                 "--state: allowed of a schedule, or without force: a state file holds waves that "
+                 "are constant on pieces, and under an exact harmonic they change all along; "
+                 "--motion writes samples");
+        refuseIf(triesStability(),
+                 "--stability: allowed of a schedule, or without force: under an exact harmonic "
+                 "each motion of one bar says by itself how disturbances grow");
+    }
     if (common.hasScene()) {
         const bool isOfBar = question.isAsked() && (!isForced() || force.ratio);
         if (given.outside(asks::network) == nullptr && !(isOfBar && barOf(common.assembly()))) {

@@ -49,7 +49,6 @@ ExitStatus findHarmonicInBars(const FindCommand& call, const Assembly& assembly)
     const ForceOptions& force = call.force;
     force.requirePlace();
     force.requireAmplitude();
-    refuseIf(call.given.has("--stability"), "--stability: allowed only of a schedule");
     refuseIf(call.given.has("--certificate"), "--certificate", call.given.text("--certificate"),
              "none with --period, --frequency and --hertz of several bars or segments");
     refuseIf(!call.given.words().empty(),

@@ -330,10 +330,14 @@ TEST_CASE("cli find: a period in place of a schedule has motions on no grid")
     CHECK(pressed["complete_from"] == 0.0);
     CHECK(pressed["rests"] == true);
     for (const char* bar : {"--damping 0.1", "--scene 'clamp 6 dash=0.1 driven stop=1e-3'"}) {
-        const auto refused = program.run(
-            fmt::format("find --period 18/5 {} --force tip --amplitude 1e-4 --state s.csv", bar));
-        CHECK(refused.status == 2);
-        CHECK_THAT(refused.err, containsText("constant on pieces") && containsText("allowed"));
+        const std::string call =
+            fmt::format("find --period 18/5 {} --force tip --amplitude 1e-4 ", bar);
+        for (const auto& [option, reason] : {std::pair{"--state s.csv", "constant on pieces"},
+                                             {"--stability", "says by itself"}}) {
+            const auto refused = program.run(call + option);
+            CHECK(refused.status == 2);
+            CHECK_THAT(refused.err, containsText(reason) && containsText("allowed"));
+        }
     }
     for (const char* wrong :
          {"find --period 18/5 --damping 0 --force tip --amplitude 1e-4",
