@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, overload
 
 from . import _core
-from ._asking import asks, excited, gathered, scheduled
+from ._asking import as_bars, asks, excited, gathered, scheduled
 from ._core import (Bar, Continuum, ForcedResult, HarmonicResult, Result,
                     Scene, SceneContinuum, SceneContinuumPoint, SceneForcedResult,
                     SceneHarmonicResult, SceneQuestion, SceneResult, State)
@@ -40,6 +40,11 @@ def find(first: Steps, /, *schedule: Steps, segments: Segments | None = None,
 def find(*, period: Number | None = None, frequency: Number | None = None,
          hertz: Quantity | None = None, contacts: int = 1,
          **forced: Unpack[Forced]) -> HarmonicResult: ...
+
+
+@overload
+def find(*, segments: Segments, period: Number | None = None, frequency: Number | None = None,
+         hertz: Quantity | None = None, **forced: Unpack[Forced]) -> SceneHarmonicResult: ...
 
 
 @overload
@@ -100,7 +105,8 @@ def find(
     With `period`, `frequency` or `hertz` in place of a schedule all motions of
     that period on the grid. With `damping` and `force` forced, damped motions:
     of a schedule, the least amplitude or those of one; of a period or frequency
-    those with `contacts` contacts under an exact harmonic, on no grid. Of several
+    those with `contacts` contacts under an exact harmonic, on no grid (of segments
+    those with one, as of bars in a row). Of several
     bars in a row (`scene` in words) a schedule is n_c, n_f, ... at one contact, or
     words "SET:STEPS": ``find("1:4", "1+2:1", "-:9", scene=...)``.
 
@@ -143,9 +149,11 @@ def find(
     if force is not None:
         if not is_timed:
             return _core.find_forced(scheduled(asked))
-        if schedule or where.segments:
+        if schedule:
             raise ValueError("period, frequency, hertz: allowed with damping "
-                             "and force only without a schedule and segments")
+                             "and force only without a schedule")
+        if where.segments:
+            return find_bars(as_bars(excited(asked)), times, find.__kwdefaults__)
         exact = period_of(times, cells, where.bar, whole("cycles", cycles))
         return _core.find_harmonic(excited({**asked, "numerator": exact.numerator,
                                             "denominator": exact.denominator}))

@@ -185,6 +185,10 @@ def test_forced_motions_of_segments_agree(program: Program) -> None:
     alike(program("find", 6, 28, "--segments", "4:1,4:1.3", "--damping", 0.05,
                   "--force", "tip"),
           sg.find(6, 28, segments=[(4, 1.0), (4, 1.3)], **drive).to_dict())
+    for name, value in (("period", "7/2"), ("frequency", 1.1), ("hertz", 0.3)):
+        asked: dict[str, Any] = {name: value, "amplitude": 2e-3, **drive}
+        alike(program("find", "--segments", "4:1,4:1.3", *words_of(asked)),
+              sg.find(segments=[(4, 1.0), (4, 1.3)], **asked).to_dict())
 
 
 def test_forced_motions_agree(program: Program) -> None:
