@@ -154,9 +154,8 @@ def find(
                              "and force only without a schedule")
         if where.segments:
             return find_bars(as_bars(excited(asked)), times, find.__kwdefaults__)
-        exact = period_of(times, cells, where.bar, whole("cycles", cycles))
-        return _core.find_harmonic(excited({**asked, "numerator": exact.numerator,
-                                            "denominator": exact.denominator}))
+        above, below = period_of(times, cells, where.bar, whole("cycles", cycles))
+        return _core.find_harmonic(excited({**asked, "numerator": above, "denominator": below}))
     if asked["amplitude"] is not None or (
             (type(cycles) is not int or cycles != 1) and whole("cycles", cycles) != 1):
         raise ValueError("amplitude, cycles: allowed only together with "

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Sequence
 
 from . import _core
@@ -10,39 +9,10 @@ from ._asking import as_bars
 from ._core import (Bar, Result, SceneContinuum, SceneForcedResult, SceneHarmonicResult,
                     SceneQuestion, SceneResult)
 from ._tables import Table, plain
-from ._words import Number, fraction_of, number, whole
+from ._words import fraction_of, number, whole
 
 if TYPE_CHECKING:
     from ._core import QuestionPart
-
-#: What fits the library's numbers, with room for sums.
-MOST_STEPS = 2 ** 62
-
-#: Of the fraction that is a period on no grid.
-MOST_DIGITS = 10 ** 9
-
-#: A float is a period of the grid if it is so to the last digit.
-LAST_DIGIT = 4e-16
-
-
-def _on_grid(name: str, word: Number, cells: int) -> int:
-    """Return the steps of a period or frequency; ValueError off the grid."""
-    asked = fraction_of(word, name)
-    period = asked if name == "period" else 4 / asked
-    steps = max(2, round(period * cells))
-    if steps > MOST_STEPS:
-        raise ValueError(f"{name} = {word} is out of range: allowed periods "
-                         f"of at most {MOST_STEPS} steps")
-    grid = Fraction(steps, cells)
-    off = abs(grid - period)
-    if off > (LAST_DIGIT * grid if isinstance(word, float) else 0):
-        nearest = grid if name == "period" else 4 / grid
-        needs = "" if isinstance(word, float) else \
-            f"; {word} needs cells={period.denominator} or a multiple"
-        raise ValueError(
-            f"{name} = {word} is out of range: allowed periods of whole steps "
-            f"L/({cells} c) (nearest {nearest}{needs})")
-    return steps
 
 
 class Question(Table[Result]):
@@ -91,29 +61,22 @@ def _cells_of(cells: Any) -> int:
     return count
 
 
-def _exact(name: str, word: Any) -> Fraction:
-    """A period or frequency, of a float what its digits say."""
-    return fraction_of(str(word) if isinstance(word, float) else word, name)
+def _word(name: str, given: Any) -> str:
+    """A period, a frequency or hertz as text, which the library reads."""
+    if name == "hertz":
+        return repr(number(name, given))
+    fraction_of(given, name)  # is it a number?
+    return str(given)
 
 
 def period_of(asked: dict[str, Any], cells: int | None, bar: Bar, cycles: int
-              ) -> Fraction:
+              ) -> tuple[int, int]:
     """The period [L/c] of a motion on no grid, exactly.
 
     A frequency is that of the excitation, of which there are so many cycles.
     """
     name, word = _one_of(asked)
-    if name == "hertz":
-        count = _cells_of(cells)
-        steps = _core.steps_nearest(number("hertz", word), count, bar)
-        period = Fraction(steps, count) * cycles
-    else:
-        exact = _exact(name, word)
-        period = exact if name == "period" else 4 * cycles / exact
-    if max(period.numerator, period.denominator) > MOST_DIGITS:
-        raise ValueError(f"{name} = {word} is out of range: allowed periods "
-                         f"P/Q with P and Q up to {MOST_DIGITS}")
-    return period
+    return _core.period_exactly(name, _word(name, word), _cells_of(cells), bar, cycles)
 
 
 #: What is asked of a schedule of bars, without a force and with one.
@@ -168,7 +131,7 @@ def find_bars(asked: dict[str, Any], times: dict[str, Any], usual: dict[str, Any
 def _timed(times: dict[str, Any], asked: dict[str, Any]) -> dict[str, Any]:
     """The same with the number that was asked for."""
     name, word = _one_of(times)
-    value = word if name == "hertz" else float(_exact(name, word))
+    value = word if name == "hertz" else float(fraction_of(word, name))
     return {**asked, "period": None, "frequency": None, "hertz": None, name: value}
 
 
@@ -184,8 +147,7 @@ def ask(times: dict[str, Any], asked: dict[str, Any]) -> Question:
     """Answer a question by `find` for each set of motions of a period."""
     name, word = _one_of(times)
     cells, scene = _cells_of(asked["cells"]), asked["scene"]
-    steps = (_core.steps_nearest(number(name, word), cells, scene.bar) if name == "hertz"
-             else _on_grid(name, word, cells))
+    steps = _core.period_on_grid(name, _word(name, word), cells, scene.bar)
     sets = [_core.find({**asked, "schedule": schedule})
             for schedule in _core.schedules_of_period(cells, steps, scene)]
     head = plain(_core.question(

@@ -111,7 +111,14 @@ void addFind(py::module_& module)
         answer.answers = std::move(sets);
         return dictionaryOf(answer);
     });
-    module.def("steps_nearest", &answers::stepsNearest);
+    module.def("period_on_grid",
+               [](const std::string& name, const std::string& word, std::int64_t cells,
+                  const Bar& bar) { return answers::periodOnGrid(name, word, cells, bar).steps; });
+    module.def("period_exactly", [](const std::string& name, const std::string& word,
+                                    std::int64_t cells, const Bar& bar, std::int64_t cycles) {
+        const ExactPeriod exact = answers::periodExactly(name, word, cells, bar, cycles);
+        return std::pair(exact.numerator, exact.denominator);
+    });
     module.def("schedules_of_period",
                [](std::int64_t cells, std::int64_t steps, const Scene& scene) {
                    return schedulesOfPeriod(cells, steps, stopsOf(scene).right);

@@ -1,26 +1,8 @@
 #include "question_answer.hpp"
 
 #include <algorithm>
-#include <cmath>
-
-#include "faults.hpp"
 
 namespace signorini::answers {
-
-std::int64_t stepsNearest(double hertz, std::int64_t cells, const Bar& bar)
-{
-    const double second = static_cast<double>(cells) / scales(bar).time;  // in steps
-    const double wanted = second / hertz;
-    if (!(wanted > static_cast<double>(AskedPeriod::leastSteps) - 0.5 &&
-          wanted <= static_cast<double>(AskedPeriod::mostSteps))) {
-        throwFault(
-            "hertz", hertz,
-            fmt::format("{}..{} Hz for this bar ({}) on {} cells",
-                        second / static_cast<double>(AskedPeriod::mostSteps),
-                        second / static_cast<double>(AskedPeriod::leastSteps), sizeOf(bar), cells));
-    }
-    return std::llround(wanted);
-}
 
 Status QuestionAnswer::status() const
 {

@@ -5,24 +5,10 @@
 #include <algorithm>
 #include <iterator>
 
+#include "asked_period.hpp"
 #include "find_answer.hpp"
 
 namespace signorini::answers {
-
-/// A period as it was asked for, and on the grid.
-struct AskedPeriod {
-    /// Periods of so many steps are within exact arithmetic on every grid.
-    static constexpr std::int64_t leastSteps = 2;
-    static constexpr std::int64_t mostSteps = 1'000'000'000'000'000;
-
-    std::string option;      ///< period, frequency, hertz
-    std::string word;        ///< what was given
-    std::int64_t steps = 0;  ///< [steps], n
-};
-
-/// The steps of the period that is nearest to a frequency [Hz] on so many cells.
-/// \throws std::invalid_argument naming hertz, and those of this bar.
-[[nodiscard]] std::int64_t stepsNearest(double hertz, std::int64_t cells, const Bar& bar);
 
 /// All sets of motions of a period.
 struct QuestionAnswer {

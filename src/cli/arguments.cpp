@@ -36,35 +36,6 @@ extern "C" void removeStagedAndQuit(int number)
     _exit(128 + number);
 }
 
-/// A whole number > 0 of at most 18 digits.
-std::optional<std::int64_t> wholeOf(std::string_view digits)
-{
-    constexpr std::size_t mostDigits = 18;
-    return digits.size() <= mostDigits
-               ? wholeIn(digits, 1, std::numeric_limits<std::int64_t>::max())
-               : std::nullopt;
-}
-
-/// A decimal number without an exponent, of at most 18 digits.
-std::optional<ExactPeriod> decimalOf(std::string_view text)
-{
-    std::string digits(text);
-    std::size_t places = 0;
-    if (const std::size_t point = digits.find('.'); point != std::string::npos) {
-        digits.erase(point, 1);
-        places = digits.size() - point;
-    }
-    const auto numerator = wholeOf(digits);
-    if (!numerator) {
-        return std::nullopt;
-    }
-    std::int64_t denominator = 1;
-    for (; places > 0; --places) {
-        denominator *= 10;
-    }
-    return exactPeriod(*numerator, denominator);
-}
-
 }  // namespace
 
 void refuse(std::string_view name, std::string_view text, std::string_view allowed)
@@ -143,15 +114,6 @@ std::int64_t parseWhole(std::string_view name, std::string_view text, std::int64
     return *value;
 }
 
-double parsePositive(std::string_view name, std::string_view text, std::string_view unit)
-{
-    const auto value = numberIn(text, unit);
-    if (!value || *value <= 0.0) {
-        refuse(name, text, fmt::format("finite numbers > 0 [{}]", unit));
-    }
-    return *value;
-}
-
 double parseReal(std::string_view name, std::string_view text, std::string_view unit)
 {
     const auto value = numberIn(text, unit);
@@ -159,34 +121,6 @@ double parseReal(std::string_view name, std::string_view text, std::string_view 
         refuse(name, text, fmt::format("finite numbers [{}]", unit));
     }
     return *value;
-}
-
-GivenNumber parseNumber(std::string_view name, std::string_view text, std::string_view unit)
-{
-    const std::size_t slash = text.find('/');
-    if (slash == std::string_view::npos) {
-        return {parsePositive(name, text, unit), decimalOf(text)};
-    }
-    const auto above = wholeOf(text.substr(0, slash));
-    const auto below = wholeOf(text.substr(slash + 1));
-    if (!above || !below) {
-        refuse(name, text, fmt::format("numbers > 0 like 3.14, 3 or 22/7 [{}]", unit));
-    }
-    const ExactPeriod exact = exactPeriod(*above, *below);
-    return {exact.value(), exact};
-}
-
-ExactPeriod parseFraction(std::string_view name, std::string_view text, std::string_view unit)
-{
-    constexpr std::int64_t most = 999'999'999;
-    const auto exact = parseNumber(name, text, unit).exact;
-    if (!exact || std::max(exact->numerator, exact->denominator) > most) {
-        refuse(name, text,
-               fmt::format("fractions like 7/2 or decimals > 0 [{}], in lowest terms of at most 9 "
-                           "digits above and below",
-                           unit));
-    }
-    return *exact;
 }
 
 CommonOptions::CommonOptions(const Given& given)

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "asked_period.hpp"
 #include "faults.hpp"
 #include "names.hpp"
 #include "signorini/assembly.hpp"
@@ -53,31 +54,17 @@ void refuseIf(bool isWrong, std::string_view name, std::string_view text, std::s
 /// Says that a call cannot be, in a sentence, if it is so. \throws std::invalid_argument.
 void refuseIf(bool isWrong, std::string_view sentence);
 
-/// A number > 0 as people give it: 22/7, 3.14, 3.
-struct GivenNumber {
-    double value = 0.0;
-    std::optional<ExactPeriod> exact;  ///< unless it needs more than 18 digits, or has an exponent
-};
-
-/// \throws std::invalid_argument naming argument, value and range.
-[[nodiscard]] GivenNumber parseNumber(std::string_view name, std::string_view text,
-                                      std::string_view unit);
-
-/// The same as an exact fraction of at most 9 digits above and below, in lowest terms.
-/// \throws std::invalid_argument naming argument, value and range.
-[[nodiscard]] ExactPeriod parseFraction(std::string_view name, std::string_view text,
-                                        std::string_view unit);
+using answers::GivenNumber;
+using answers::parseFraction;
+using answers::parseNumber;
+using answers::parsePositive;
 
 /// A whole number in [low, high]. \throws std::invalid_argument naming argument, value and range.
 [[nodiscard]] std::int64_t parseWhole(std::string_view name, std::string_view text,
                                       std::int64_t low, std::int64_t high);
 
-/// A finite number > 0, plain or with its unit (units.hpp). \throws std::invalid_argument naming
+/// A finite number, plain or with its unit (units.hpp). \throws std::invalid_argument naming
 /// argument, value and range.
-[[nodiscard]] double parsePositive(std::string_view name, std::string_view text,
-                                   std::string_view unit);
-
-/// A finite number, likewise. \throws std::invalid_argument naming argument, value and range.
 [[nodiscard]] double parseReal(std::string_view name, std::string_view text, std::string_view unit);
 
 /// The options every command shares.

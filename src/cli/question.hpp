@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "question_answer.hpp"
 #include "scene_harmonic_answer.hpp"
@@ -28,21 +29,18 @@ struct PeriodQuestion {
 
     [[nodiscard]] bool isAsked() const;
 
-    /// The period in steps of L/(Nc): the one asked for, exactly, or for hertz the nearest.
-    /// \throws std::invalid_argument if more than one is given, or it is not on the grid.
+    /// As periodOnGrid (asked_period.hpp). \throws std::invalid_argument also if more than one is
+    /// given.
     [[nodiscard]] answers::AskedPeriod on(std::int64_t cells, const Bar& bar) const;
-    /// The period of a motion on no grid, in which an excitation goes through so many cycles; the
-    /// frequency is that of the excitation, of hertz the nearest of the grid.
-    /// \throws std::invalid_argument as above, or if it takes more than 9 digits above or below, or
-    /// more cells than harmonicContacts allows.
+    /// As periodExactly, likewise.
     [[nodiscard]] ExactPeriod exactly(std::int64_t cells, const Bar& bar,
                                       std::int64_t cycles) const;
-
-    /// The same of bars in a row. \throws std::invalid_argument unless one is given.
+    /// The same of bars in a row.
     [[nodiscard]] answers::AskedSteps ofBars() const;
 
-    /// \throws std::invalid_argument unless one is given.
-    void requireOne() const;
+private:
+    /// The option and its word. \throws std::invalid_argument unless one is given.
+    [[nodiscard]] std::pair<std::string, std::string> one() const;
 };
 
 }  // namespace signorini::cli

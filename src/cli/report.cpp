@@ -234,13 +234,6 @@ std::string howAsText(const Provenance& how)
 
 }  // namespace
 
-std::string fractionAsText(const ExactPeriod& fraction)
-{
-    return fraction.denominator == 1
-               ? fmt::format("{}", fraction.numerator)
-               : fmt::format("{}/{}", fraction.numerator, fraction.denominator);
-}
-
 std::string asText(const Physical& p)
 {
     return fmt::format(

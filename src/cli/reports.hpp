@@ -86,8 +86,7 @@ void report(const CommonOptions& common, const auto& answer, std::optional<std::
 [[nodiscard]] std::string worstStrainText(double strain, const std::optional<double>& stress,
                                           double hertz, std::optional<double> yieldStress);
 
-/// "7/2" or "4".
-[[nodiscard]] std::string fractionAsText(const ExactPeriod& fraction);
+using answers::fractionAsText;
 /// factor T - less with its positive term first; the number alone for factor 0.
 [[nodiscard]] std::string linearAsText(std::int64_t factor, std::int64_t less);
 /// "8 - 3T": the contact time of a mode in L/c.
