@@ -46,8 +46,9 @@ std::string otherwise(const std::string& word, const std::vector<std::string>& n
     for (const Option& option : answers::options()) {
         questions |= option.name == name ? option.of : 0U;
     }
-    return questions != 0 ? fmt::format(": allowed with {}", answers::commandsOf(questions))
-                          : didYouMean(word, names);
+    return questions != 0
+               ? fmt::format("; {} is allowed with {}", name, answers::commandsOf(questions))
+               : didYouMean(word, names);
 }
 
 std::string padded(std::string_view left, std::string_view right)

@@ -43,10 +43,11 @@ TEST_CASE("cli hints: an option or command that is spelt nearly right is named")
     }
     // What stands behind an option of another command is its value.
     checkRefused(program, "find 150 900 --points -inf",
-                 {"--points -inf is not expected: allowed with continuum"});
+                 {"--points -inf is not expected; --points is allowed with continuum"});
     checkRefused(program, "sweep --energy -1",
-                 {"--energy -1 is not expected: allowed with find, continuum"});
-    checkRefused(program, "response --strain-limit=1", {"allowed with find, continuum"});
+                 {"--energy -1 is not expected; --energy is allowed with find, continuum"});
+    checkRefused(program, "response --colour --strain-limit=1",
+                 {"--strain-limit is allowed with find, continuum"});
     for (const char* words : {"find 150 900 --colour red", "fly 150 900", "find 150 900 --x 3"}) {
         const auto outcome = program.run(words);
         INFO(words << " -> " << outcome.err);
