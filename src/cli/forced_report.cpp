@@ -1,5 +1,5 @@
 #include "reports.hpp"
-#include "scene_find.hpp"
+
 #include "text.hpp"
 
 namespace signorini::cli {

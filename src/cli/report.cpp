@@ -364,6 +364,21 @@ std::string yieldText(double stress, std::optional<double> limit, const char* va
                  : "";
 }
 
+std::string limitText(const std::optional<double>& strainLimit)
+{
+    return strainLimit
+               ? fmt::format("limit       strain >= -{:.6g} everywhere, always\n", *strainLimit)
+               : "";
+}
+
+std::string limitText(const answers::HarmonicLimit& limit)
+{
+    return limitText(limit.strain) +
+           (limit.beyond > 0 ? fmt::format("{:<12}{} motion{} beyond it, not listed\n", "",
+                                           limit.beyond, limit.beyond == 1 ? "" : "s")
+                             : "");
+}
+
 std::string worstStrainText(double strain, const std::optional<double>& stress, double hertz,
                             std::optional<double> yieldStress)
 {

@@ -82,6 +82,9 @@ void report(const CommonOptions& common, const auto& answer, std::optional<std::
 
 /// ": 12 % of the yield stress, no yield at these values", or nothing without a limit.
 [[nodiscard]] std::string yieldText(double stress, std::optional<double> limit, const char* values);
+/// The line of a limit on strain, or none.
+[[nodiscard]] std::string limitText(const std::optional<double>& strainLimit);
+[[nodiscard]] std::string limitText(const answers::HarmonicLimit& limit);
 /// Lines: the largest strain of all motions of a range, and its stress where that is known.
 [[nodiscard]] std::string worstStrainText(double strain, const std::optional<double>& stress,
                                           double hertz, std::optional<double> yieldStress);

@@ -103,21 +103,6 @@ std::string asText(const answers::SceneStrains& strains)
                        strains.stress ? fmt::format("; stress {:.6g} Pa", *strains.stress) : "");
 }
 
-std::string limitText(const std::optional<double>& strainLimit)
-{
-    return strainLimit
-               ? fmt::format("limit       strain >= -{:.6g} everywhere, always\n", *strainLimit)
-               : "";
-}
-
-std::string limitText(const answers::HarmonicLimit& limit)
-{
-    return limitText(limit.strain) +
-           (limit.beyond > 0 ? fmt::format("{:<12}{} motion{} beyond it, not listed\n", "",
-                                           limit.beyond, limit.beyond == 1 ? "" : "s")
-                             : "");
-}
-
 void requireOfBars(const FindCommand& call, const Assembly& assembly)
 {
     refuseIf(call.given.text("--motion").ends_with(".pvd"), "--motion", call.given.text("--motion"),

@@ -55,9 +55,6 @@ private:
 /// The line of what was tried, or none.
 [[nodiscard]] std::string asText(const std::optional<answers::SceneStability>& tried);
 [[nodiscard]] std::string asText(const answers::SceneStrains& strains);
-/// The line of a limit on strain, or none.
-[[nodiscard]] std::string limitText(const std::optional<double>& strainLimit);
-[[nodiscard]] std::string limitText(const answers::HarmonicLimit& limit);
 /// Says on stderr where bars do not bear them.
 void warnOf(const answers::SceneStrains& strains, const FindCommand& call);
 /// \throws std::invalid_argument on --yield-stress of bars whose stress is not known, and on files
