@@ -356,11 +356,10 @@ std::string stabilityText(const StabilityResult& tried, std::int64_t periods)
         name(tried.stability), tried.trials.size(), least, most, periods);
 }
 
-std::string yieldText(double stress, std::optional<double> limit, const char* values)
+std::string yieldText(double stress, std::optional<double> limit, const char* where)
 {
-    return limit ? fmt::format(": {:.3g} % of the yield stress, {} at these {}",
-                               100.0 * stress / *limit,
-                               stress > *limit ? "the bar yields" : "no yield", values)
+    return limit ? fmt::format(": {:.3g} % of the yield stress, {} {}", 100.0 * stress / *limit,
+                               stress > *limit ? "the bar yields" : "no yield", where)
                  : "";
 }
 
@@ -385,7 +384,7 @@ std::string worstStrainText(double strain, const std::optional<double>& stress, 
     std::string text = fmt::format("strain      at most {:.6g} [-] at {:.6g} Hz\n", strain, hertz);
     if (stress) {
         text += fmt::format("stress      at most {:.6g} Pa at {:.6g} Hz{}\n", *stress, hertz,
-                            yieldText(*stress, yieldStress, "frequencies"));
+                            yieldText(*stress, yieldStress, "in these motions"));
     }
     return text;
 }

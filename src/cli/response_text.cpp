@@ -93,7 +93,7 @@ void addWorst(const ResponseAnswer& answer, Text& text)
         line("strain", strain, "[-]");
         return;
     }
-    line("stress", stress, "Pa", yieldText(stress.value, answer.yieldStress, "frequencies"));
+    line("stress", stress, "Pa", yieldText(stress.value, answer.yieldStress, "in these motions"));
 }
 
 /// Frequencies where the list may not be all there is.

@@ -143,7 +143,7 @@ void addWorst(const SweepAnswer& answer, Text& text)
         return;
     }
     const double stress = most * *answer.bar.young;
-    line("stress", strain, stress, "Pa", yieldText(stress, answer.yieldStress, "values"));
+    line("stress", strain, stress, "Pa", yieldText(stress, answer.yieldStress, "at these values"));
 }
 
 }  // namespace
