@@ -144,11 +144,8 @@ VectorOf<Number> scalesOf(const NetworkBlocks& blocks)
 }
 
 template <typename Number>
-using Orthogonal = std::conditional_t<isFine<Number>, UnblockedFactors,
-                                      Eigen::ColPivHouseholderQR<MatrixOf<Number>>>;
-template <typename Number>
-using Factors =
-    std::conditional_t<isFine<Number>, UnblockedFactors, Eigen::PartialPivLU<MatrixOf<Number>>>;
+using Factors = std::conditional_t<isFine<Number>, OrthogonalFactors<Number>,
+                                   Eigen::PartialPivLU<MatrixOf<Number>>>;
 
 /// An orthonormal basis of the kernel.
 template <typename Number>
@@ -159,7 +156,7 @@ MatrixOf<Number> kernelBasis(const MatrixOf<Number>& change, double zero, bool& 
     const double none = isFine<Number> ? 1e-40 : noPivot;
     const double clear = isFine<Number> ? 1e-25 : clearPivot;
     // The rows of change^T = Q R P^T: what Q has beyond the rank is orthogonal to its columns.
-    const Orthogonal<Number> factors(change.transpose());
+    const OrthogonalFactors<Number> factors(change.transpose());
     Eigen::Index rank = 0;
     for (Eigen::Index k = 0; k < size; ++k) {
         const Number pivot = abs(factors.matrixQR()(k, k));

@@ -20,8 +20,6 @@ template <typename Number>
 class ActiveSet {
     using Vector = VectorOf<Number>;
     using Matrix = MatrixOf<Number>;
-    using Factors =
-        std::conditional_t<isFine<Number>, UnblockedFactors, Eigen::ColPivHouseholderQR<Matrix>>;
 
 public:
     ActiveSet(const RowSystemOf<Number>& system, double tolerance, double largest)
@@ -101,7 +99,7 @@ private:
         for (std::size_t k = 0; k < active_.size(); ++k) {
             columns.col(static_cast<Eigen::Index>(k)) = system_.rows.row(active_[k]).transpose();
         }
-        return Factors(columns).solve(normal);
+        return OrthogonalFactors<Number>(columns).solve(normal);
     }
 
     /// Moves until the row is met. False if it contradicts those in force.

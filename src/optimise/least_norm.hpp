@@ -30,9 +30,12 @@ using MatrixOf = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>;
 template <typename Number>
 using VectorOf = Eigen::Matrix<Number, Eigen::Dynamic, 1>;
 
-/// What Eigen has without blocks, for fine numbers: blocks gain nothing where an operation is a
-/// call, and all that is made of them takes as long to compile as a floor.
-using UnblockedFactors = Eigen::FullPivHouseholderQR<MatrixOf<FineNumber>>;
+/// Q R with pivots. Of fine numbers what Eigen has without blocks: these gain nothing where an
+/// operation is a call, and all that is made of them takes as long to compile as a floor.
+template <typename Number>
+using OrthogonalFactors =
+    std::conditional_t<isFine<Number>, Eigen::FullPivHouseholderQR<MatrixOf<Number>>,
+                       Eigen::ColPivHouseholderQR<MatrixOf<Number>>>;
 
 /// Rows a_i and numbers b_i, equalities first.
 template <typename Number>
