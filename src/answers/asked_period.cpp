@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "faults.hpp"
-#include "find_answer.hpp"
 #include "harmonic_motion.hpp"
 #include "units.hpp"
 
@@ -93,6 +92,13 @@ std::int64_t stepsNearest(const std::string& option, double hertz, std::int64_t 
 }
 
 }  // namespace
+
+std::string sizeOf(const Bar& bar)
+{
+    const bool isUsual = bar.length == Bar{}.length && bar.waveSpeed == Bar{}.waveSpeed;
+    return fmt::format("L = {:.6g} m, c = {:.6g} m/s{}", bar.length, bar.waveSpeed,
+                       isUsual ? " by default" : "");
+}
 
 double parsePositive(std::string_view name, std::string_view text, std::string_view unit)
 {

@@ -32,6 +32,10 @@ struct GivenNumber {
 /// "7/2" or "4".
 [[nodiscard]] std::string fractionAsText(const ExactPeriod& fraction);
 
+/// What a frequency in Hz depends on: "L = 1 m, c = 1 m/s by default" or, of a bar that was
+/// described, "L = 3 m, c = 5000 m/s".
+[[nodiscard]] std::string sizeOf(const Bar& bar);
+
 /// A period as it was asked for, and on the grid.
 struct AskedPeriod {
     /// Periods of so many steps are within exact arithmetic on every grid.

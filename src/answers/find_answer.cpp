@@ -11,13 +11,6 @@
 
 namespace signorini::answers {
 
-std::string sizeOf(const Bar& bar)
-{
-    const bool isUsual = bar.length == Bar{}.length && bar.waveSpeed == Bar{}.waveSpeed;
-    return fmt::format("L = {:.6g} m, c = {:.6g} m/s{}", bar.length, bar.waveSpeed,
-                       isUsual ? " by default" : "");
-}
-
 Bar unitsOf(const Scene& scene)
 {
     return unitsOfBar(scene);

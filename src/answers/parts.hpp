@@ -12,8 +12,6 @@
 
 namespace signorini::answers {
 
-/// "L = 1 m, c = 1 m/s by default" or, of a bar that was described, "L = 3 m, c = 5000 m/s".
-[[nodiscard]] std::string sizeOf(const Bar& bar);
 /// What units mean: the first material; Young's modulus is known of it only, so not of several.
 [[nodiscard]] Bar unitsOf(const Scene& scene);
 /// One unit of force [N], EA g/L, and of impulse [N s], EA g/c.

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "parts.hpp"
+#include "asked_period.hpp"
 
 namespace signorini::cli {
 
