@@ -1,5 +1,7 @@
 #include "options.hpp"
 
+#include <algorithm>
+#include <array>
 #include <limits>
 
 #include "demand_names.hpp"
@@ -387,6 +389,25 @@ std::span<const Option> options()
         return all;
     }();
     return table;
+}
+
+std::string_view keptBy(std::string_view name)
+{
+    constexpr std::string_view isForced =
+        "under a force a schedule has one motion, but at resonance, and its energy is an answer";
+    constexpr std::array<std::array<std::string_view, 2>, 8> reasons{{
+        {"--formulation", "only problems of one bar without force have several"},
+        {"--objective", isForced},
+        {"--target", isForced},
+        {"--energy-ratio", isForced},
+        {"--energy", isForced},
+        {"--tip-floor", "it bounds u(L) of one bar without force; --strain-limit bounds all"},
+        {"--contacts", "elsewhere motions are sought by their schedules, which say how many"},
+        {"--certificate", "a proof is of one schedule, in rational numbers, which sines are not"},
+    }};
+    const auto* const known = std::find_if(reasons.begin(), reasons.end(),
+                                           [&](const auto& row) { return row[0] == name; });
+    return known == reasons.end() ? "" : (*known)[1];
 }
 
 }  // namespace signorini::answers

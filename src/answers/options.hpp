@@ -80,6 +80,9 @@ inline constexpr double likelyPercent = 1.0;
 /// The one of this name that one of the questions takes; nullptr: none.
 [[nodiscard]] const Option* optionOf(unsigned questions, std::string_view name);
 
+/// What keeps an option from the other questions of its command; empty: nothing but their sense.
+[[nodiscard]] std::string_view keptBy(std::string_view name);
+
 /// "find, continuum, sweep": the commands that ask some of these questions.
 [[nodiscard]] std::string commandsOf(unsigned questions);
 

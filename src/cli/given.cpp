@@ -225,13 +225,15 @@ const Option* Given::outside(unsigned question) const
 void Given::requireOnly(unsigned question) const
 {
     if (const Option* other = outside(question)) {
-        throw std::invalid_argument(
-            fmt::format("{} clashes with {}: allowed {}", other->name, answers::inWords(question),
-                        (question & answers::asks::network) == 0
-                            ? "with " + answers::inWords(other->of & usage_.questions)
-                        : (other->of & answers::asks::freeNetwork) != 0
-                            ? "with NC NF or SET:STEPS without --force"
-                            : "with one bar, clamped on the left, with stops at its tip"));
+        const std::string_view why = answers::keptBy(other->name);
+        throw std::invalid_argument(fmt::format(
+            "{} clashes with {}: allowed {}{}{}", other->name, answers::inWords(question),
+            (question & answers::asks::network) == 0
+                ? "with " + answers::inWords(other->of & usage_.questions)
+            : (other->of & answers::asks::freeNetwork) != 0
+                ? "with NC NF or SET:STEPS without --force"
+                : "with one bar, clamped on the left, with stops at its tip",
+            why.empty() ? "" : "; ", why));
     }
 }
 
