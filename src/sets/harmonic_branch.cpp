@@ -352,47 +352,4 @@ HarmonicBranch alongFrequency(const Damping& damping, const Harmonic& excitation
                    FrequencyWalk(damping, excitation, stops, range).run(motion, -1));
 }
 
-HarmonicBranch alongAmplitude(const HarmonicCase& given, const HarmonicMotion& motion,
-                              const BranchRange& range, double length)
-{
-    const double ratio = 4.0 * static_cast<double>(given.cycles) / given.period();
-    const auto walk = [&](double sense) {
-        HarmonicBranch branch;
-        HarmonicCase there = given;
-        HarmonicMotion now = motion;
-        branch.points.push_back({ratio, there, now});
-        HarmonicDirection direction(2 + 2 * now.contacts.size(), 0.0);
-        direction[0] = sense;
-        double step = length;
-        while (branch.points.size() < range.mostPoints && there.amplitude >= range.least &&
-               there.amplitude <= range.most && !isRequested(range.cancel)) {
-            const double before = direction[0];
-            HarmonicMotion next = now;
-            HarmonicCase at = there;
-            if (!stepAlongAmplitude(at, next, direction, step)) {
-                step /= 2.0;
-                if (step < length / static_cast<double>(range.fine)) {
-                    branch.marks.push_back(
-                        {BranchEvent::end, branch.points.size() - 1, ratio, there.amplitude});
-                    break;
-                }
-                continue;
-            }
-            std::optional<BranchEvent> event = change(now.contacts, next.contacts);
-            if (!event && before * direction[0] < 0.0) {
-                event = BranchEvent::fold;
-            }
-            if (event) {
-                branch.marks.push_back({*event, branch.points.size() - 1, ratio, there.amplitude});
-            }
-            step = std::min(2.0 * step, length);
-            there = at;
-            now = std::move(next);
-            branch.points.push_back({ratio, there, now});
-        }
-        return branch;
-    };
-    return wholeOf(walk(-1.0), walk(1.0));
-}
-
 }  // namespace signorini

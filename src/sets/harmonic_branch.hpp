@@ -1,13 +1,12 @@
 #pragma once
 /// \file
-/// A curve of motions under an exact harmonic, along its frequency or its amplitude.
+/// A curve of motions under an exact harmonic, along its frequency.
 ///
-/// Along amplitude a step goes along the tangent of the equations, whose waves do not change
-/// (harmonic_pattern.hpp), and folds are points like others. Along frequency periods are rational:
-/// a step goes to a neighbour, its times extrapolated, each front that ends a contact coming back
-/// as often as before. Where the pattern changes, or nothing is found, steps are halved down to
-/// 1/finest of their length. At a fold the way to the other sheet leads along amplitude, at one
-/// period. docs/theory.md, section 21.
+/// Periods are rational: a step goes to a neighbour, its times extrapolated, each front that ends
+/// a contact coming back as often as before. Where the pattern changes, or nothing is found, steps
+/// are halved down to 1/finest of their length. At a fold the way to the other sheet leads along
+/// amplitude, at one period, along the tangent of the equations, whose waves do not change there
+/// (harmonic_pattern.hpp). docs/theory.md, section 21.
 
 #include <vector>
 
@@ -49,7 +48,7 @@ struct HarmonicBranch {
 };
 
 struct BranchRange {
-    double least = 0.5;      ///< omega/omega_1, or |A|
+    double least = 0.5;      ///< omega/omega_1
     double most = 2.0;       ///< the same
     std::int64_t fine = 16;  ///< a power of two
     std::size_t mostPoints = 4000;
@@ -61,9 +60,5 @@ struct BranchRange {
 [[nodiscard]] HarmonicBranch alongFrequency(const Damping& damping, const Harmonic& excitation,
                                             const Stops& stops, const HarmonicMotion& motion,
                                             const BranchRange& range);
-
-/// Through a motion at one period, in steps of a length in ln |A|, rad and L/c.
-[[nodiscard]] HarmonicBranch alongAmplitude(const HarmonicCase& given, const HarmonicMotion& motion,
-                                            const BranchRange& range, double length = 0.02);
 
 }  // namespace signorini

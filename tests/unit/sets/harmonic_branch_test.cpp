@@ -63,32 +63,6 @@ TEST_CASE("harmonic branch: along the frequency it turns back at its fold")
     CHECK(both == 2);
 }
 
-TEST_CASE("harmonic branch: along the amplitude, folds are points like others")
-{
-    const HarmonicCase given = harmonicCase(dampingOfRho(0.9), forceOf(108, 0.25));
-    const HarmonicBranch branch =
-        alongAmplitude(given, harmonicContacts(given).back(), {0.05, 0.6});
-    REQUIRE(branch.points.size() > 60);
-    CHECK(count(branch, BranchEvent::fold) == 1);
-    CHECK(count(branch, BranchEvent::pin) >= 1);
-    for (std::size_t k = 0; k < branch.points.size(); k += 7) {
-        const BranchPoint& point = branch.points[k];
-        CHECK(point.motion.residual < 1e-11);
-        if (point.motion.contacts.size() == 1) {
-            INFO("amplitude " << point.given.amplitude);
-            CHECK(isListed(point.given, point.motion));
-        }
-    }
-    // Below the fold there is nothing.
-    for (const BranchMark& mark : branch.marks) {
-        if (mark.event == BranchEvent::fold) {
-            HarmonicCase below = given;
-            below.amplitude = 0.98 * mark.amplitude;
-            CHECK(harmonicContacts(below).empty());
-        }
-    }
-}
-
 TEST_CASE("harmonic branch: disturbed bars come back where growth says so, and only there")
 {
     const Damping damping = dampingOfRho(0.9);
