@@ -89,8 +89,12 @@ struct Scene {
 /// that does not leave the tip some way (g + h > 0), segments that are not positive.
 void validate(const Scene& scene);
 
-/// What a uniform bar is about its rest under gravity g' [m/s^2], to the right: its tip sags by
-/// g' L^2/(2 c^2), by which the gap is smaller and a second stop farther, and all motions about it
+/// [m], by which the tip of a uniform bar sags under gravity g' [m/s^2], to the right: g' L^2/(2
+/// c^2); at x the bar sags by (2 - x/L) x/L of that.
+[[nodiscard]] double tipSag(const Bar& bar, double gravity);
+
+/// What a uniform bar is about its rest under gravity g' [m/s^2], to the right: by its
+/// sag the gap is smaller and a second stop farther, and all motions about it
 /// are those without weight. \throws std::invalid_argument unless |g'| <= 10^6 c^2/L, where the tip
 /// would rest at the second stop, or as `validate`. \pre it has no segments.
 [[nodiscard]] Scene aboutRest(const Scene& scene, double gravity);

@@ -153,11 +153,13 @@ struct ModePoint;
 ///     v(x, t) = p(t + 1 - x) - p(t + 1 + x),   s(x, t) = -p(t + 1 - x) - p(t + 1 + x).
 ///
 /// Units L = c = g = 1; t = 0 is the start of contact. At jumps velocity and strain take the value
-/// right after them in p. Each sample costs O(log a).
+/// right after them in p. Each sample costs O(log a). Under weight g is the gap at rest, and the
+/// shape at rest is added: sag (2 - x) x to u, 2 sag (1 - x) to s.
 class ModeMotion {
 public:
-    /// O(a). \throws std::invalid_argument unless lowest < T < highest.
-    ModeMotion(const Mode& mode, double period);
+    /// O(a). `sag` [g]: of the tip at rest (`tipSag`).
+    /// \throws std::invalid_argument unless lowest < T < highest.
+    ModeMotion(const Mode& mode, double period, double sag = 0.0);
     /// A motion with several contacts, t = 0 at s_0. O(K jumps). \throws std::invalid_argument
     /// unless the point is in the polytope, its closures within 1e-9.
     ModeMotion(const ModePolytope& polytope, const ModePoint& point);
@@ -186,8 +188,8 @@ public:
     [[nodiscard]] double velocity(double x, double t) const;
     /// s(x, t) [g/L].
     [[nodiscard]] double strain(double x, double t) const;
-    /// g - u(L, t) [g].
-    [[nodiscard]] double tipGap(double t) const { return gapSign_ - displacement(1.0, t); }
+    /// The way from the tip to the wall [g].
+    [[nodiscard]] double tipGap(double t) const { return gapSign_ + sag_ - displacement(1.0, t); }
     /// Force on the wall, 2h in contact and 0 in flight [EA g/L].
     [[nodiscard]] double wallForce(double t) const;
     /// What one period reaches. O(a).
@@ -204,6 +206,7 @@ private:
 
     double period_;
     int gapSign_ = 1;
+    double sag_ = 0.0;
     double amplitude_ = 0.0;
     double contactTime_ = 0.0;
     std::vector<std::pair<double, double>> contacts_;

@@ -414,7 +414,8 @@ class Mode(_Record):
     contact_time_ratio: _OfPeriod
     def schedule(self, cells: int, steps: int) -> Schedule: ...
     def families(self, max_order: int) -> list[Family]: ...
-    def motion(self, period_ratio: float) -> ModeMotion: ...
+    def motion(self, period_ratio: float, gravity: float = ...
+               ) -> ModeMotion: ...
 
 class _OnNoGrid(_Fields):
     bar: Bar
@@ -431,6 +432,7 @@ class _OnNoGrid(_Fields):
 
 class ModeMotion(_OnNoGrid, _InPeriod, _Measured):
     status: Literal["found", "none", "undecided"]
+    gravity: float
     mode: Mode
     jumps: list[tuple[int, int]]
 

@@ -83,7 +83,8 @@ def modes(*, phases: int = 1, max_order: int | None = None,
 
 @asks("mode")
 def mode(a4: int, b: int, period: Number | None = None, *,
-         bar: Bar | None = None, **bar_options: Quantity | None) -> ModeMotion:
+         bar: Bar | None = None, gravity: Quantity = 0.0,
+         **bar_options: Quantity | None) -> ModeMotion:
     """Return the motion of one mode at any period.
 
     Parameters
@@ -96,19 +97,22 @@ def mode(a4: int, b: int, period: Number | None = None, *,
     Returns
     -------
     ModeMotion
+        Under gravity of the whole bar: the shape at rest is added.
 
     Raises
     ------
     ValueError
         If there is no such mode, or it has no motion of that period.
     """
-    found = _core.mode({"a4": a4, "b": b, "bar": bar_of(bar, bar_options)})
+    gravity = number("gravity", gravity)
+    units = _core.about_rest({"bar": bar_of(bar, bar_options), "gravity": gravity})
+    found = _core.mode({"a4": a4, "b": b, "bar": units})
     if period is None:
         (p, q), (r, s) = found.period_range
         raise ValueError(f"period is missing: allowed ]{p}/{q}, {r}/{s}[ "
                          "[L/c]")
     exact = fraction_of(period, "period")
-    return found.motion(float(exact))
+    return found.motion(float(exact), gravity)
 
 
 @asks("schedule")

@@ -48,11 +48,15 @@ void addMode(py::module_& module)
              [](const ModeOf& m, std::int64_t maxOrder) {
                  return withUnits(familiesOf(m.value, maxOrder), m.bar);
              })
-        .can("motion", {"period_ratio"},
-             "At T [L/c]: a ModeMotion. ValueError outside the interval.",
-             [](const ModeOf& m, double period) {
-                 return ModeAnswer{m.value, m.bar, ModeMotion(m.value, period)};
-             });
+        .more()
+        .def(
+            "motion",
+            [](const ModeOf& m, double period, double gravity) {
+                return answers::motionOf(m.value, m.bar, period, gravity);
+            },
+            py::arg("period_ratio"), py::arg("gravity") = 0.0,
+            "At T [L/c], a ModeMotion; with the shape at rest under the gravity [m/s^2] that left "
+            "the gap. ValueError outside the interval.");
 }
 
 std::vector<FamilyOf> families(const Asked& asked)

@@ -12,13 +12,15 @@ inline void put(Writer& to, const ModeAnswer& m)
     put(to, m.mode);
     put(to, m.bar);
     put(to, m.motion.period());
+    put(to, m.gravity);
 }
 template <>
 inline ModeAnswer take(Reader& from)
 {
     const Mode mode = take<Mode>(from);
     const Bar bar = take<Bar>(from);
-    return {mode, bar, ModeMotion(mode, take<double>(from))};
+    const auto period = take<double>(from);
+    return answers::motionOf(mode, bar, period, take<double>(from));
 }
 template <>
 inline void put(Writer& to, const PolytopeAnswer& m)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 from typing import Any
 
 import pytest
@@ -40,7 +41,15 @@ def test_a_bar_under_gravity_is_one_that_has_sagged() -> None:
     families = sg.families(6, gap=1e-3, gravity="0.0004m/s^2")
     assert [f.least_energy for f in families] == pytest.approx(
         [f.least_energy for f in sg.families(6, gap=8e-4)], rel=1e-9)
-    assert sg.modes(max_order=3, gap=1e-3, gravity=4e-4).gravity == 4e-4
+    listed = sg.modes(max_order=3, gap=1e-3, gravity=4e-4)
+    assert listed.gravity == 4e-4
+    whole = sg.mode(4, -1, "7/2", gap=1e-3, gravity="0.0004m/s^2")
+    about = sg.mode(4, -1, "7/2", gap=8e-4)
+    assert (whole.gravity, about.gravity) == (4e-4, 0.0)
+    assert whole.displacement(0.5, 1.0) == pytest.approx(
+        about.displacement(0.5, 1.0) + 4e-4 * 0.375, rel=1e-9)
+    assert whole.strain(0.5, 1.1) == pytest.approx(about.strain(0.5, 1.1) + 2e-4, rel=1e-9)
+    assert listed[0].motion(3.5, 4e-4) == whole == pickle.loads(pickle.dumps(whole))
     with pytest.raises(ValueError, match="damping, force"):
         sg.find(1, 39, damping=0.1, **weight)
     velocity: dict[str, Any] = {"velocity": [1.0]}

@@ -14,6 +14,12 @@ int gapSignOfModes(const Bar& bar)
     return bar.gap > 0.0 ? 1 : -1;
 }
 
+ModeAnswer motionOf(const Mode& mode, const Bar& bar, double period, double gravity)
+{
+    const double sag = tipSag(bar, gravity) / scales(bar).displacement;
+    return {mode, bar, ModeMotion(mode, period, sag), gravity};
+}
+
 std::tuple<std::int64_t, std::int64_t> contactOf(const Mode& mode)
 {
     return {4 * mode.a, mode.b};

@@ -17,7 +17,12 @@ struct ModeAnswer {
     Mode mode;
     Bar bar;
     ModeMotion motion;
+    double gravity = 0.0;  ///< as FamilyList::gravity; the shape at rest is in the motion
 };
+
+/// The motion of a mode, the shape at rest of its bar under gravity included.
+[[nodiscard]] ModeAnswer motionOf(const Mode& mode, const Bar& bar, double period,
+                                  double gravity = 0.0);
 
 /// A motion with several contacts, on no grid.
 struct PolytopeAnswer {
@@ -187,14 +192,23 @@ void describeTimes(D& d, Type<T>, Energy energyRatio)
     d.key("energy_ratio", "E_1 > 0", "E/E_1.", energyRatio);
 }
 
+template <typename D, typename T>
+void describeGravity(D& d, Type<T>)
+{
+    d.key("gravity", "m/s^2", "To the right; gap and stops are those that weight leaves at rest.",
+          &T::gravity);
+}
+
 void describe(auto& d, Type<ModeAnswer> type)
 {
     d.record("ModeMotion", R"(The motion of a mode at one period, on no grid.
 
 t = 0 is the start of contact; at jumps velocity and strain take the value right after them.
+Displacement and strain are those of the whole bar: under gravity the shape at rest is added.
 )");
     d.key("status", "-", R"("found".)", [](const ModeAnswer&) { return Status::found; });
     d.key("bar", "-", "Its units.", &ModeAnswer::bar);
+    describeGravity(d, type);
     d.key("mode", "-", "That it is of.", [](const ModeAnswer& m) { return ModeOf{m.mode, m.bar}; });
     describeTimes(d, type,
                   [](const ModeAnswer& m) { return energyRatio(m.mode, m.motion.period()); });
@@ -235,13 +249,6 @@ them.
     d.key("contacts_ratio", "L/c", "[(start, end), ...].",
           [contacts](const PolytopeAnswer& m) { return contacts(m, 1.0); });
     describePhysical(d, [](const auto& m) { return physicalOf(m.motion.extremes(), m.bar); });
-}
-
-template <typename D, typename T>
-void describeGravity(D& d, Type<T>)
-{
-    d.key("gravity", "m/s^2", "To the right; gap and stops are those that weight leaves at rest.",
-          &T::gravity);
 }
 
 void describe(auto& d, Type<FamilyList> type)

@@ -52,7 +52,7 @@ std::string rootAsText(const Mode& mode)
 
 std::string asText(const answers::ModeAnswer& answer)
 {
-    const auto& [mode, bar, motion] = answer;
+    const auto& [mode, bar, motion, gravity] = answer;
     const Scales unit = scales(bar);
     const Physical physical = physicalOf(motion.extremes(), bar);
     const std::string family = familyName(mode);

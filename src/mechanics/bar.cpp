@@ -116,6 +116,12 @@ void requireWeight(Faults& faults, double gravity, double length, double waveSpe
     }
 }
 
+double tipSag(const Bar& bar, double gravity)
+{
+    const double time = bar.length / bar.waveSpeed;
+    return 0.5 * gravity * time * time;
+}
+
 Scene aboutRest(const Scene& scene, double gravity)
 {
     validate(scene);
@@ -123,7 +129,7 @@ Scene aboutRest(const Scene& scene, double gravity)
     requireWeight(faults, gravity, scene.bar.length, scene.bar.waveSpeed);
     faults.throwIfAny();
     const double time = scene.bar.length / scene.bar.waveSpeed;
-    const double sag = 0.5 * gravity * time * time;
+    const double sag = tipSag(scene.bar, gravity);
     const auto moved = [](double place, double way) {
         constexpr double rounding = 1e-14;
         const double there = place + way;

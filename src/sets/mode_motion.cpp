@@ -56,7 +56,8 @@ std::vector<ModeJump> jumps(const Mode& mode)
     return result;
 }
 
-ModeMotion::ModeMotion(const Mode& mode, double period) : period_(period), gapSign_(mode.gapSign)
+ModeMotion::ModeMotion(const Mode& mode, double period, double sag)
+    : period_(period), gapSign_(mode.gapSign), sag_(sag)
 {
     contactTime_ = signorini::contactTime(mode, period);
     contacts_.emplace_back(0.0, contactTime_);
@@ -113,7 +114,7 @@ double ModeMotion::meanIncoming(double from, double to) const
 
 double ModeMotion::displacement(double x, double t) const
 {
-    return amplitude_ * (integral(t + 1.0 - x) - integral(t + 1.0 + x));
+    return amplitude_ * (integral(t + 1.0 - x) - integral(t + 1.0 + x)) + sag_ * (2.0 - x) * x;
 }
 
 double ModeMotion::velocity(double x, double t) const
@@ -123,7 +124,7 @@ double ModeMotion::velocity(double x, double t) const
 
 double ModeMotion::strain(double x, double t) const
 {
-    return -incoming(t + 1.0 - x) - incoming(t + 1.0 + x);
+    return -incoming(t + 1.0 - x) - incoming(t + 1.0 + x) + 2.0 * sag_ * (1.0 - x);
 }
 
 double ModeMotion::wallForce(double t) const
@@ -149,14 +150,20 @@ Extremes ModeMotion::extremes() const
         }
         least = std::min(least, integrals_[k] - atWall);
     }
+    // Strains are 0 and +-2h: both at the clamp; compression at the tip in contact. Tension comes
+    // as near to the tip as two times with p < 0 are 2 apart: there where p jumps from + to - in
+    // flight, which the two jumps of a = 1 do not; then they are 2 - t_c apart at most.
+    const double strainAtClamp = 2.0 * sag_;
+    const double fromTip = times_.size() > 2 ? 0.0 : 0.5 * contactTime();
     return {.period = period_,
             .contactTime = contactTime(),
             .peakForce = most,
             .impulse = most * contactTime(),
             .approachSpeed = most,
-            .peakCompression = most,
-            .peakTension = most,
-            .lowestTip = gapSign_ + most * least};
+            .peakCompression = most + std::max(0.0, -strainAtClamp),
+            .peakTension =
+                sag_ < 0.0 ? std::max(0.0, most + strainAtClamp * fromTip) : most + strainAtClamp,
+            .lowestTip = gapSign_ + sag_ + most * least};
 }
 
 State cellMeans(const ModeMotion& motion, std::int64_t cells)

@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
+#include <vector>
 
 #include "command_line.hpp"
 #include "has_solver.hpp"
@@ -30,6 +33,48 @@ void requireClose(const json& one, const json& other, double unit)
         return;
     }
     REQUIRE(one.get<double>() == Approx(other.get<double>()).epsilon(1e-9).margin(1e-9 * unit));
+}
+
+using Rows = std::vector<std::vector<double>>;
+
+Rows rowsOf(const fs::path& path)
+{
+    std::ifstream file(path);
+    Rows rows;
+    std::string line;
+    for (std::getline(file, line); std::getline(file, line);) {
+        std::istringstream row(line);
+        rows.emplace_back();
+        for (std::string value; std::getline(row, value, ',');) {
+            rows.back().push_back(std::stod(value));
+        }
+    }
+    return rows;
+}
+
+/// A state with a row for each cell of a piece, so long [s].
+Rows cellByCell(const Rows& pieces, double cell)
+{
+    Rows rows;
+    for (std::vector<double> piece : pieces) {
+        const long count = std::max(1L, std::lround(piece[3] / cell));
+        piece[3] /= static_cast<double>(count);
+        rows.insert(rows.end(), static_cast<std::size_t>(count), piece);
+    }
+    return rows;
+}
+
+void requireSame(const Rows& one, const Rows& other)
+{
+    REQUIRE(!one.empty());
+    REQUIRE(one.size() == other.size());
+    for (std::size_t k = 0; k < one.size(); ++k) {
+        REQUIRE(one[k].size() == other[k].size());
+        for (std::size_t column = 0; column < one[k].size(); ++column) {
+            INFO("row " << k << ", column " << column);
+            REQUIRE(std::abs(one[k][column] - other[k][column]) < 1e-11);
+        }
+    }
 }
 
 }  // namespace
@@ -149,6 +194,55 @@ TEST_CASE("cli gravity: families and modes are those of the gap that weight leav
               .out == program.run("families --max-order 4 --gravity 1e-3 --format json").out);
 }
 
+TEST_CASE("cli gravity: a mode shows the whole bar, as find does on the grid of its period")
+{
+    const CommandLine program;
+    struct Case {
+        double gravity;
+        const char* mode;
+        const char* schedule;  // on 12 cells
+    };
+    for (const Case& one : {Case{0.02, "mode 4 -1 --period 7/2", "6 36"},
+                            Case{-0.03, "mode 4 -1 --period 7/2", "6 36"},
+                            Case{-0.03, "mode 8 -3 --period 31/12", "3 28"},
+                            Case{0.15, "mode 4 -1 --period 5/2", "18 12"}}) {
+        const auto [sagging, sagged] = bars(1e-3, one.gravity);
+        INFO(one.mode << sagging);
+        const std::string grid = " --cells 12 --format json ";
+        const auto asked = program.run(one.mode + grid + "--state m.csv --motion mm.csv" + sagging);
+        INFO(asked.err);
+        REQUIRE(asked.status == 0);
+        const json mode = json::parse(asked.out);
+        const json about = json::parse(program.run(one.mode + grid + sagged).out);
+        const json found = program.find(
+            fmt::format("{} --cells 12 --state f.csv --motion fm.csv", one.schedule) + sagging, 0);
+        CHECK(mode["gravity"] == one.gravity);
+        CHECK(about["gravity"] == 0.0);
+        requireClose(mode["energy"], found["energy"], 1e-6);
+        requireClose(mode["period"], found["period"], 1.0);
+        requireClose(mode["bar"]["gap"], found["contacts"][0]["gap"], 1e-3);
+        requireClose(mode["physical"]["impulse"], found["contacts"][0]["impulse"], 1e-3);
+        // Of the network the strain at the ends of cells is known to within that of half a cell.
+        const double cell = std::abs(one.gravity) * 2.0 / 100.0 / 12.0;
+        for (const char* strain : {"peak_compression", "peak_tension"}) {
+            CHECK(mode["physical"][strain].get<double>() ==
+                  Approx(found["strains"][strain].get<double>()).margin(1.01 * cell));
+        }
+        requireClose(mode["physical"]["tip_lowest"],
+                     about["physical"]["tip_lowest"].get<double>() + one.gravity * 4.0 / 200.0,
+                     1e-3);
+        const double step = 0.2 / 12.0;
+        requireSame(cellByCell(rowsOf(program.file("m.csv")), step),
+                    cellByCell(rowsOf(program.file("f.csv")), step));
+        requireSame(rowsOf(program.file("mm.csv")), rowsOf(program.file("fm.csv")));
+    }
+    const auto off = program.run(
+        "mode 4 -1 --period 3.3333333333 --gravity 4e-4 --cells 7 --state m.csv --motion m.vtk");
+    CHECK(off.status == 0);
+    CHECK_THAT(off.out, containsText("means over 7 cells"));
+    CHECK(contentOf(program.file("m.csv")).starts_with("node,displacement,wave,"));
+}
+
 TEST_CASE("cli gravity: commands that know no weight say so, and damping has its one place")
 {
     const CommandLine program;
@@ -159,9 +253,9 @@ TEST_CASE("cli gravity: commands that know no weight say so, and damping has its
         CHECK_THAT(refused.err, containsText(why));
         CHECK(lines(refused.err) == 1);
     };
-    refuses("mode 4 -1 --period 3.14 --gravity 1",
-            "--gravity: allowed with find, continuum, response, simulate, sweep, atlas, families "
-            "and modes");
+    refuses("mode 4 -1 --period 3.14 --gravity 1e-4 --motion m.pvd",
+            "--motion = m.pvd is out of range: allowed FILE.csv|.vtk under gravity");
+    refuses("mode 4 -1 --period 3.14 --gravity 1", "allowed ]2, 3[");  // it presses at rest
     refuses("families --second-stop 1e-3 --gravity=-4e-3",
             "--gravity = -4e-3 is out of range: allowed finite and > -0.002");
     refuses("find 5 41 --gravity 1 --damping 0.1", "--force is missing");

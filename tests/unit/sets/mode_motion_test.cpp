@@ -208,3 +208,38 @@ TEST_CASE("modes: on one cell the state has the displacement of the tip")
         CHECK(displacement(state)[0] == Approx(motion.displacement(1.0, 0.0)));
     }
 }
+
+TEST_CASE("modes: under weight the extremes are those of the whole bar")
+{
+    constexpr int cells = 60;
+    constexpr int instants = 1'500;
+    for (const int gapSign : {1, -1}) {
+        ModeBounds bounds = upTo(5);
+        bounds.gapSign = gapSign;
+        for (const Mode& mode : findModes(bounds)) {
+            for (const double sag : {0.3, -0.3, -4.0}) {
+                const double period = periodAt(mode, 0.6);
+                const ModeMotion motion(mode, period, sag);
+                double least = 0.0;
+                double most = -1e9;
+                double lowest = 1e9;
+                for (int m = 0; m < instants; ++m) {
+                    const double t = m * period / instants;
+                    lowest = std::min(lowest, motion.displacement(1.0, t));
+                    REQUIRE(motion.tipGap(t) > -1e-9);
+                    for (int i = 0; i < cells; ++i) {
+                        const double strain = motion.strain((i + 0.5) / cells, t);
+                        least = std::min(least, strain);
+                        most = std::max(most, strain);
+                    }
+                }
+                const Extremes extremes = motion.extremes();
+                INFO(mode.a << " " << mode.b << ", " << gapSign << ", " << sag);
+                const double cell = 2.0 * std::abs(sag) / cells;
+                CHECK(extremes.peakCompression == Approx(-least).margin(1.01 * cell));
+                CHECK(extremes.peakTension == Approx(most).margin(1.01 * cell));
+                CHECK(extremes.lowestTip == Approx(lowest).margin(motion.amplitude() * 1e-2));
+            }
+        }
+    }
+}
