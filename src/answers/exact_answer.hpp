@@ -111,6 +111,8 @@ void describe(auto& d, Type<ExactAnswer>)
     d.key("force", "-", R"(What is excited: "tip" or "base".)", range(&ResponseRange::place));
     d.key("amplitude", "N or m > 0", "Of the excitation.", &T::amplitude);
     d.key("cycles", "- >= 1", "K, of the excitation in a period.", range(&ResponseRange::cycles));
+    d.key("yield_stress", "Pa > 0", "The stress is compared with it.", &T::yieldStress,
+          When::program);
     d.key("frequencies", "-", "By ascending steps.",
           [](const T& a) { return withUnits(a.frequencies, a.bar); });
     d.key("branches", "-", "Curves of motions.",

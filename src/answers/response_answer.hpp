@@ -115,6 +115,8 @@ void describe(auto& d, Type<ResponseAnswer>)
     });
     d.key("complete", "-", "Not interrupted, and no schedule undecided.",
           [](const T& a) { return a.status() == Status::found; });
+    d.key("yield_stress", "Pa > 0", "The stress is compared with it.", &T::yieldStress,
+          When::program);
     d.key("frequencies", "-", "By descending frequency.", &T::listed);
 }
 

@@ -58,6 +58,7 @@ struct SceneResponse {
     SeveralBars bars;
     std::vector<SceneFrequency> frequencies = {};  ///< by descending frequency
     bool isComplete = true;                        ///< false: interrupted
+    std::optional<double> yieldStress = {};        ///< [Pa], the stress is compared with it
 
     /// Found, also if there is no motion.
     [[nodiscard]] Status status() const;
@@ -124,6 +125,8 @@ void describe(auto& d, Type<SceneResponse>)
           "that "
           "no motion is left out is computed, not proved.",
           [](const T& a) { return a.status() == Status::found; });
+    d.key("yield_stress", "Pa > 0", "The stress is compared with it.", &T::yieldStress,
+          When::program);
     d.key("frequencies", "-", "By descending frequency.", &T::frequencies);
     describeBarsAndContacts(d, &T::bars);
 }

@@ -44,7 +44,7 @@ void takeHertz(const Given& given, const Network& network, answers::SceneRange& 
 }
 
 /// The largest strain of all motions, and its stress where that is known.
-std::string strainText(const SceneResponse& answer, std::optional<double> yieldStress)
+std::string strainText(const SceneResponse& answer)
 {
     answers::SceneStrains worst;
     double hertz = 0.0;
@@ -56,11 +56,11 @@ std::string strainText(const SceneResponse& answer, std::optional<double> yieldS
             }
         }
     }
-    return hertz > 0.0 ? worstStrainText(worst.largest(), worst.stress, hertz, yieldStress)
+    return hertz > 0.0 ? worstStrainText(worst.largest(), worst.stress, hertz, answer.yieldStress)
                        : std::string();
 }
 
-std::string asText(const SceneResponse& answer, std::optional<double> yieldStress)
+std::string asText(const SceneResponse& answer)
 {
     const answers::SceneRange& range = answer.range;
     const auto count = [&answer](auto holds) {
@@ -98,7 +98,7 @@ std::string asText(const SceneResponse& answer, std::optional<double> yieldStres
                             worst->value.peakForce * answer.scales.force(),
                             worst->value.contact + 1, hertz);
     }
-    text += strainText(answer, yieldStress);
+    text += strainText(answer);
     const auto open = std::find_if(answer.frequencies.begin(), answer.frequencies.end(),
                                    [](const SceneFrequency& at) { return at.reason; });
     if (open != answer.frequencies.end()) {
@@ -191,6 +191,7 @@ ExitStatus respondInBars(const Given& given, const CommonOptions& common, const 
     takeHertz(given, network, range);
     Outputs outputs(given, {"--csv", "--map-csv", "--figure", "--map"});
     SceneResponse answer = answers::responseOf(assembly, range);
+    answer.yieldStress = yieldStress;
     const FrequencyOption to(given, "--to", "--to-hertz");
     const std::vector<std::int64_t> steps =
         hinting("--to", to.ratio, answers::firstHertz(referenceOf(network)), bar,
@@ -211,7 +212,7 @@ ExitStatus respondInBars(const Given& given, const CommonOptions& common, const 
         common.say("interrupted; the list is not complete");
     }
     writeOut(common.wantsJson ? asLine(wholeJsonOf(answer))
-                              : headline(assembly, network) + asText(answer, yieldStress));
+                              : headline(assembly, network) + asText(answer));
     return exitStatusOf(answer.status());
 }
 

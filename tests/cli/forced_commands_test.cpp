@@ -170,6 +170,12 @@ TEST_CASE(
     CHECK_THAT(outcome.out, containsText(fmt::format("stress      at most {:.6g} Pa at ", stress)));
     CHECK_THAT(outcome.out, containsText("121 % of the yield stress, the bar yields"));
     CHECK_THAT(program.run(rod + " --yield-stress 250e6").out, containsText("no yield"));
+    const std::string json = rod + " --from 1 --to 1.1 --format json";
+    for (const char* more : {"", " --exact", " --exact --segments 30:1,30:2"}) {
+        CHECK_THAT(program.run(json + more + " --yield-stress 25e6").out,
+                   containsText("\"yield_stress\":25000000"));
+        CHECK_THAT(program.run(json + more).out, !containsText("yield_stress"));
+    }
     const auto bare = program.run(
         "response --damping 0.05 --force base --amplitude 2e-4 --cells 20 --yield-stress 1e6");
     CHECK(bare.status == 2);
