@@ -52,13 +52,13 @@ bool canRattle(const FrequencyResponse& response)
 struct Worst {
     double value = 0.0;
     const FrequencyResponse* at = nullptr;
-    const ForcedMotion* motion = nullptr;
+    const ForcedMotion* motion = nullptr;  ///< none: contact that never opens
 };
 
-void keepLarger(Worst& worst, double value, const FrequencyResponse& at, const ForcedMotion& motion)
+void keepLarger(Worst& worst, double value, const FrequencyResponse& at, const ForcedMotion* motion)
 {
     if (worst.at == nullptr || value > worst.value) {
-        worst = {value, &at, &motion};
+        worst = {value, &at, motion};
     }
 }
 
@@ -69,22 +69,32 @@ void addWorst(const ResponseAnswer& answer, Text& text)
     Worst speed;
     Worst stress;
     Worst strain;
+    const auto keepStrain = [&](const Physical& seen, const FrequencyResponse& at,
+                                const ForcedMotion* motion) {
+        keepLarger(stress, seen.peakStress.value_or(0.0), at, motion);
+        keepLarger(strain, std::max(seen.peakCompression, seen.peakTension), at, motion);
+    };
     for (const FrequencyResponse& at : answer.frequencies) {
+        if (at.permanent) {
+            keepStrain(physicalOf(at.permanent->extremes, answer.bar), at, nullptr);
+        }
         for (const ForcedMotion& motion : at.motions) {
             const Physical physical = physicalOf(motion.extremes, answer.bar);
-            keepLarger(force, physical.peakForce, at, motion);
-            keepLarger(impulse, physical.impulse, at, motion);
-            keepLarger(speed, physical.approachSpeed, at, motion);
-            keepLarger(stress, physical.peakStress.value_or(0.0), at, motion);
-            keepLarger(strain, std::max(physical.peakCompression, physical.peakTension), at,
-                       motion);
+            keepLarger(force, physical.peakForce, at, &motion);
+            keepLarger(impulse, physical.impulse, at, &motion);
+            keepLarger(speed, physical.approachSpeed, at, &motion);
+            keepStrain(physical, at, &motion);
         }
     }
     const auto line = [&](const char* label, const Worst& worst, const char* unit,
                           const std::string& remark = {}) {
-        print(text, "{:<12}at most {:.6g} {} at {:.6g} Hz, {}{}\n", label, worst.value, unit,
-              answers::hertzOf(worst.at->frequencyRatio, answer.bar),
-              describe(worst.motion->schedule.phases), remark);
+        if (worst.at != nullptr) {
+            print(text, "{:<12}at most {:.6g} {} at {:.6g} Hz, {}{}\n", label, worst.value, unit,
+                  answers::hertzOf(worst.at->frequencyRatio, answer.bar),
+                  worst.motion != nullptr ? describe(worst.motion->schedule.phases)
+                                          : "in contact that never opens",
+                  remark);
+        }
     };
     line("force", force, "N");
     line("impulse", impulse, "N s per period");
@@ -193,8 +203,8 @@ std::string asText(const ResponseAnswer& answer)
     }
     addPermanent(answer, text);
     addGaps(answer, text);
+    addWorst(answer, text);
     if (answer.motions() > 0) {
-        addWorst(answer, text);
         addStability(answer, text);
         print(text, "each motion --csv FILE.csv, --format json, --figure FILE.png\n");
     }

@@ -98,6 +98,13 @@ TEST_CASE("cli response: a bar pressed at rest stays in contact, which is said o
     CHECK(table.find(",67,0,0,") != std::string::npos);  // contact of all steps, no flight
     const auto text = program.run(range);
     CHECK(text.out.find("permanent   contact, 0.7 to 1.29") != std::string::npos);
+    // A force on a tip that is held strains nothing: what it is pressed by at rest does, g/L.
+    CHECK_THAT(text.out, containsText("strain      at most 1 [-]") &&
+                             containsText("in contact that never opens"));
+    const std::string steel = " --young 4 --density 4 --area 0.25 --yield-stress ";
+    CHECK_THAT(program.run(range + steel + "3").out,
+               containsText("133 % of the yield stress, the bar yields"));
+    CHECK_THAT(program.run(range + steel + "5").out, containsText("80 % of the yield stress, no"));
     // A force that lifts the tip leaves none.
     const json lifted = parsed(program,
                                "response --cells 20 --gap -1 --damping 0.02 --force tip "
