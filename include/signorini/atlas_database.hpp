@@ -105,6 +105,9 @@ public:
     void forEachFound(std::optional<std::int64_t> cells,
                       const std::function<void(const AtlasEntry&)>& action,
                       AtlasSchedules which = AtlasSchedules::all) const;
+    /// The same of every row, whatever was decided. \throws FileError.
+    void forEachSchedule(std::optional<std::int64_t> cells,
+                         const std::function<void(const AtlasEntry&)>& action) const;
     /// Families with motions near a point of the frequency-energy plot, nearest first: the
     /// distance is that of omega/omega_1, relative, and of the energy range, relative, as one
     /// Euclidean norm; at most `distance`. \throws FileError.

@@ -284,7 +284,10 @@ std::vector<Option> ofOutputs()
              "displacements of nodes [m]"),
         file("--csv", families, "write them as a table, one row per family"),
         file("--csv", modes, "write their curves: T, ω/ω₁, t_c and E/E₁ of motions along each"),
-        file("--csv", atlas | atlasQuery, "write the families, the bars of the plot, as a table"),
+        file(
+            "--csv", atlas | atlasQuery,
+            "write the families, the bars of the plot, as a table; of segments and of several bars "
+            "the schedules"),
         file("--csv", response, "write a row for each motion"),
         file("--csv", sweep, "write a row for each value and direction"),
         file("--csv", study, "write a row for each gap, damping and amplitude"),

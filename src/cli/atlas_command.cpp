@@ -58,6 +58,33 @@ std::string optionsOf(const AtlasRange& range)
            (range.bars ? fmt::format(" --scene '{}'", sceneText(range)) : "");
 }
 
+constexpr const char* figureOfFamilies =
+    "--figure: allowed for a uniform bar, whose families it shows; --csv holds the schedules of "
+    "others";
+
+/// Those of segments and of bars in a row have schedules alone.
+bool hasFamilies(const AtlasRange& range)
+{
+    return range.segments.empty() && !range.bars;
+}
+
+/// The schedules that a question was answered with, or, without one, all that there are.
+void forEachListed(const AtlasDatabase& atlas, std::optional<std::int64_t> cells,
+                   const AtlasAnswer& answer, const std::function<void(const AtlasEntry&)>& action)
+{
+    if (answer.twins) {
+        for (const answers::TwinsOf& twins : *answer.twins) {
+            std::for_each(twins.value.schedules.begin(), twins.value.schedules.end(), action);
+        }
+    } else if (answer.schedules) {
+        for (const answers::AtlasEntryOf& entry : *answer.schedules) {
+            action(entry.value);
+        }
+    } else {
+        atlas.forEachSchedule(cells, action);
+    }
+}
+
 /// One call.
 struct AtlasCommand {
     const Given& given;
@@ -91,7 +118,7 @@ private:
                                    std::optional<Interrupt>& interrupt) const;
     void fill(AtlasDatabase& atlas, AtlasRun& run, Ranks* ranks, const AtlasOptions& options) const;
     void draw(const AtlasDatabase& atlas, std::optional<std::int64_t> cells,
-              Outputs& outputs) const;
+              const AtlasAnswer& answer, Outputs& outputs) const;
     /// Says it, in words after the line of the bars.
     template <typename Answer>
     void tellOf(const Answer& answer, const std::optional<Assembly>& bars) const;
@@ -161,12 +188,10 @@ ExitStatus AtlasCommand::run() const
     }
     try {
         refuseIf(database.empty(), "--database is missing: allowed the name of an SQLite file");
-        const bool showsFamilies = given.has("--figure") || given.has("--csv");
-        if (showsFamilies) {
+        if (given.has("--figure")) {
             const AtlasRange asked = usualRangeOfScene();
-            refuseIf(asked.bars || !asked.segments.empty(),
-                     "--figure, --csv: allowed for a uniform bar, whose families they show");
-            refuseIf(stopsOf(asked) != Stops{} && given.has("--figure"),
+            refuseIf(!hasFamilies(asked), figureOfFamilies);
+            refuseIf(stopsOf(asked) != Stops{},
                      "--figure: allowed with a gap > 0 and one stop, whose plot it is; --csv holds "
                      "the families");
         }
@@ -175,8 +200,8 @@ ExitStatus AtlasCommand::run() const
                          {"--map", given.text("--map")},
                          {"--csv", given.text("--csv")}});
         // A picture of an atlas that exists needs no range.
-        const bool draws = (showsFamilies || given.has("--map")) && !common.cells &&
-                           given.outside(answers::asks::atlasQuery) == nullptr &&
+        const bool draws = (given.has("--figure") || given.has("--map") || given.has("--csv")) &&
+                           !common.cells && given.outside(answers::asks::atlasQuery) == nullptr &&
                            std::filesystem::exists(database);
         if (isQuery() || draws) {
             checkQuery();
@@ -264,22 +289,21 @@ AtlasAnswer AtlasCommand::ask(const AtlasDatabase& atlas, const std::vector<Atla
 }
 
 void AtlasCommand::draw(const AtlasDatabase& atlas, std::optional<std::int64_t> cells,
-                        Outputs& outputs) const
+                        const AtlasAnswer& answer, Outputs& outputs) const
 {
     const std::vector<AtlasRun> runs = atlas.runs();
-    if ((given.has("--figure") || given.has("--csv")) &&
-        std::any_of(runs.begin(), runs.end(), [](const AtlasRun& run) {
-            return !run.range.segments.empty() || run.range.bars;
-        })) {
-        throw std::invalid_argument(
-            "--figure, --csv: allowed for the atlas of a uniform bar, whose families they show");
-    }
+    const bool areFamilies = std::all_of(
+        runs.begin(), runs.end(), [](const AtlasRun& run) { return hasFamilies(run.range); });
+    refuseIf(given.has("--figure") && !areFamilies, figureOfFamilies);
     outputs.draw("--figure", [&] {
         return frequencyEnergyFigure(atlas, cells, {.maxFrequencyRatio = {}, .bar = bar()});
     });
     outputs.draw("--map", [&] { return existenceFigure(atlas, cells); });
-    if (given.has("--csv")) {
+    if (areFamilies) {
         outputs.put("--csv", writeAtlasCsv, atlas, cells, bar());
+    } else {
+        outputs.put("--csv", writeSchedulesCsv, units(barsOf(runs)),
+                    [&](const auto& action) { forEachListed(atlas, cells, answer, action); });
     }
     outputs.commit();
 }
@@ -296,7 +320,7 @@ ExitStatus AtlasCommand::answer() const
         coverage = AtlasCoverage(question(answer.near), runs);
         return opened;
     });
-    draw(atlas, common.cells, drawing);
+    draw(atlas, common.cells, answer, drawing);
     const std::string gaps = coverage.gaps();
     answer.runs = coverage.runs();
     answer.isComplete = gaps.empty();
@@ -383,7 +407,7 @@ ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
     progress.reset();
     interrupt.reset();
     if (run.isFinished()) {
-        draw(*atlas, range.cells, drawing);
+        draw(*atlas, range.cells, {}, drawing);
     }
     AtlasBuilt built{run, database, {}};
     if (range.bars) {

@@ -120,6 +120,74 @@ std::string listed(const std::vector<Row>& rows, std::string_view one, std::stri
     return text;
 }
 
+std::string fieldOf(const Schedule& schedule)
+{
+    std::string words;
+    for (const Phase& phase : schedule.phases) {
+        words += fmt::format("{}{} {}", words.empty() ? "" : " ", phase.contact, phase.free);
+    }
+    return words;
+}
+
+/// What a field of a table says: a schedule in the words that `find` takes.
+template <typename Value>
+std::string fieldOf(const Value& value)
+{
+    if constexpr (std::is_enum_v<Value>) {
+        return std::string(name(value));
+    } else if constexpr (std::is_same_v<Value, bool>) {
+        return value ? "1" : "0";
+    } else if constexpr (std::is_arithmetic_v<Value>) {
+        return fmt::format("{}", value);
+    } else {
+        return textOf(value);
+    }
+}
+
+/// Collects the keys of a described record as columns: of a range of energies its least and most.
+/// What is not known is empty.
+template <typename T>
+struct Columns {
+    const T& value;
+    std::string names = {};
+    std::string fields = {};
+
+    explicit Columns(const T& row) : value(row)
+    {
+        describe(*this, answers::Type<T>());
+        names.pop_back();  // the last comma
+        fields.pop_back();
+    }
+
+    static void record(const char*, const char*) {}
+    template <typename Get>
+    void key(const char* name, const char*, const char*, Get get,
+             answers::When /*when*/ = answers::When::always)
+    {
+        const auto& got = std::invoke(get, value);
+        add(name, &got);
+    }
+
+private:
+    template <typename Value>
+    void add(const std::string& name, const Value* got)
+    {
+        if constexpr (answers::isA<Value, std::optional>) {
+            add(name, got != nullptr && *got ? &**got : nullptr);
+        } else if constexpr (std::is_same_v<Value, EnergyRange>) {
+            const std::string stem = name.substr(0, name.find("_range"));
+            const auto ends = got != nullptr
+                                  ? answers::listed(*got)
+                                  : std::tuple(std::optional<double>(), std::optional<double>());
+            add(stem + "_min", &std::get<0>(ends));
+            add(stem + "_max", &std::get<1>(ends));
+        } else {
+            names += name + ",";
+            fields += (got != nullptr ? fieldOf(*got) : "") + ",";
+        }
+    }
+};
+
 }  // namespace
 
 std::string asText(const AtlasAnswer& answer)
@@ -178,6 +246,17 @@ void writeAtlasCsv(const std::string& path, const AtlasDatabase& atlas,
                 all.contact(), all.top.contact, all.top.free, period(all), frequencyRatio(all),
                 time, 1.0 / time, all.kind, all.dimension, all.energy.least, all.energy.most,
                 all.energy.least * unit.energy, all.energy.most * unit.energy, all.schedules);
+        });
+    });
+}
+
+void writeSchedulesCsv(
+    const std::string& path, const AtlasUnits& units,
+    const std::function<void(const std::function<void(const AtlasEntry&)>&)>& forEach)
+{
+    writeCsv(path, Columns<AtlasEntryOf>({}).names, [&](CsvRows& row) {
+        forEach([&](const AtlasEntry& entry) {
+            row(Columns<AtlasEntryOf>({entry, units}).fields);
         });
     });
 }

@@ -110,6 +110,10 @@ void writePolytopesCsv(const std::string& path, const answers::PolytopeList& lis
 /// The families of all cells, or of those asked for, one row each.
 void writeAtlasCsv(const std::string& path, const AtlasDatabase& atlas,
                    std::optional<std::int64_t> cells, const Bar& bar);
+/// The schedules that `forEach` visits, one row each, with the columns that JSON has as keys.
+void writeSchedulesCsv(
+    const std::string& path, const answers::AtlasUnits& units,
+    const std::function<void(const std::function<void(const AtlasEntry&)>&)>& forEach);
 /// A row for each motion, and one for each frequency without any.
 void writeResponseCsv(const std::string& path, const ResponseAnswer& answer);
 /// A row for each interval of amplitudes with a motion: without contact, with one, with two.

@@ -265,6 +265,12 @@ void AtlasDatabase::forEachFound(std::optional<std::int64_t> cells,
                           action);
 }
 
+void AtlasDatabase::forEachSchedule(std::optional<std::int64_t> cells,
+                                    const std::function<void(const AtlasEntry&)>& action) const
+{
+    forEachRow<Schedules>(*connection_, "WHERE 1" + onCells(cells) + " ORDER BY rowid", action);
+}
+
 std::vector<AtlasFamily> AtlasDatabase::familiesNear(double frequencyRatio, double energyRatio,
                                                      double distance,
                                                      std::optional<std::int64_t> cells) const

@@ -1,5 +1,9 @@
 // signorini find --segments: bars of several segments.
 
+#include <fmt/format.h>
+
+#include <set>
+
 #include "command_line.hpp"
 #include "database.hpp"
 #include "solver.hpp"
@@ -7,6 +11,44 @@
 using namespace signorini::test;
 
 namespace {
+
+/// A value of JSON as tables have it.
+std::string fieldOf(const json& value)
+{
+    return value.is_null()             ? ""
+           : value.is_string()         ? value.get<std::string>()
+           : value.is_boolean()        ? fmt::format("{:d}", value.get<bool>())
+           : value.is_number_integer() ? fmt::format("{}", value.get<std::int64_t>())
+                                       : fmt::format("{}", value.get<double>());
+}
+
+/// What the table of an atlas says in a column, by the JSON of its row.
+std::string columnOf(const json& row, const std::string& name)
+{
+    for (const auto& [end, place] : {std::pair{"_min", 0}, std::pair{"_max", 1}}) {
+        if (name.ends_with(end)) {
+            const std::string range = name.substr(0, name.size() - 4) + "_range";
+            return row.contains(range) && !row[range].is_null() ? fieldOf(row[range][place]) : "";
+        }
+    }
+    if (!row.contains(name)) {
+        return "";
+    }
+    if (name != "spans" && name != "schedule") {
+        return fieldOf(row[name]);
+    }
+    std::vector<std::string> words;
+    for (const json& item : row[name]) {
+        words.push_back(name == "schedule"
+                            ? fmt::format("{} {}", item[0].get<int>(), item[1].get<int>())
+                            : fmt::format("{}:{}",
+                                          item["closed"].empty()
+                                              ? "-"
+                                              : std::to_string(item["closed"][0].get<int>()),
+                                          item["steps"].get<int>()));
+    }
+    return fmt::format("{}", fmt::join(words, " "));
+}
 
 }  // namespace
 
@@ -247,6 +289,53 @@ TEST_CASE("cli stepped: an atlas is the same by threads and by processes, and ke
         "--quiet --database one.sqlite");
     CHECK(other.status == 2);
     CHECK_THAT(other.err, containsText("segments"));
+}
+
+TEST_CASE("cli stepped: --csv of an atlas has what JSON says of each schedule", "[glpk][ipopt]")
+{
+    const CommandLine program;
+    const bool areSegments = GENERATE(true, false);
+    const std::string scene =
+        areSegments ? "--segments 2:1,2:1.3" : "--scene 'clamp 2 stop=1e-3 gap=2e-3 2:1.3 clamp'";
+    const std::string range =
+        areSegments ? " --max-contact 6 --max-free 24" : " --max-contact 3 --max-free 24";
+    const auto made =
+        program.run("atlas --database a.sqlite --all --quiet --csv all.csv " + scene + range);
+    INFO(made.err);
+    REQUIRE(made.status == 0);
+    const std::string all = contentOf(program.file("all.csv"));
+    CHECK(lines(all) == 1 + 144);
+    REQUIRE(program.run("atlas --database a.sqlite --csv again.csv").status == 0);
+    CHECK(contentOf(program.file("again.csv")) == all);
+
+    // Those of one period alone, in the order of the answer: some have motions, some have none.
+    const auto asked = program.run(
+        std::string("atlas --database a.sqlite --csv some.csv --format json --period ") +
+        (areSegments ? "7/2" : "7/4"));
+    INFO(asked.err);
+    REQUIRE(asked.status == 0);
+    const json schedules = json::parse(asked.out)["schedules"];
+    std::istringstream table(contentOf(program.file("some.csv")));
+    std::string line;
+    std::getline(table, line);
+    CHECK(all.starts_with(line + "\n"));
+    const std::vector<std::string> names = cellsOf(line);
+    std::set<std::string> verdicts;
+    for (const json& row : schedules) {
+        REQUIRE(std::getline(table, line));
+        CHECK_THAT(all, containsText("\n" + line + "\n"));
+        const std::vector<std::string> cells = cellsOf(line);
+        REQUIRE(cells.size() == names.size());
+        for (std::size_t k = 0; k < names.size(); ++k) {
+            INFO(names[k] << " of " << line);
+            CHECK(cells[k] == columnOf(row, names[k]));
+        }
+        verdicts.insert(row["status"]);
+        const std::string words = columnOf(row, row.contains("spans") ? "spans" : "schedule");
+        (void)program.find(words + " " + scene, row["status"] == "found" ? 0 : 1);
+    }
+    CHECK_FALSE(std::getline(table, line));
+    CHECK(verdicts == std::set<std::string>{"found", "none"});
 }
 
 TEST_CASE("cli segments: with several speeds the state written is what a simulation repeats")
