@@ -38,10 +38,15 @@ std::size_t valuesOf(const Option& option)
                                                     option.type.begin(), option.type.end(), ' '));
 }
 
-/// Which commands an option belongs to that this one does not take, or what it was meant to be.
-std::string otherwise(const std::string& word, const std::vector<std::string>& names)
+/// Where an option that this command does not take belongs: in its file, or to which commands; or
+/// what it was meant to be.
+std::string otherwise(const std::string& word, const Usage& usage,
+                      const std::vector<std::string>& names)
 {
     const std::string name = word.substr(0, word.find('='));
+    if (usage.isKey != nullptr && usage.isKey(name.substr(2))) {
+        return fmt::format("; allowed in {}: {} = ...", usage.words, name.substr(2));
+    }
     unsigned questions = 0;
     for (const Option& option : answers::options()) {
         questions |= option.name == name ? option.of : 0U;
@@ -155,7 +160,7 @@ void Given::refuseUnknown(const std::vector<std::string>& words) const
                 : refuse("number", word, "numbers > 0, each after an option that takes it");
         }
         text += (text.empty() ? "" : " ") + shortened(word);
-        hint += hint.empty() && word.starts_with("--") ? otherwise(word, names) : "";
+        hint += hint.empty() && word.starts_with("--") ? otherwise(word, usage_, names) : "";
     }
     throw std::invalid_argument(
         hint.empty() ? fmt::format("{} is not expected; see signorini --help", text)

@@ -21,6 +21,8 @@ struct Usage {
     std::string_view words;     ///< those that belong to no option: "NC NF ..."; empty: none
     std::string_view ofWords;   ///< a sentence about them
     std::string_view footer = {};
+    /// Is an option, without its hyphens, a key of the file that the words name? None: no file has.
+    bool (*isKey)(std::string_view) = nullptr;
 };
 
 /// The options and words of one call, each checked as far as its row of the table says.

@@ -21,6 +21,7 @@
 #include "signorini/config.hpp"
 #include "signorini/output.hpp"
 #include "solver.hpp"
+#include "study_file.hpp"
 #include "text.hpp"
 
 namespace {
@@ -175,7 +176,8 @@ constexpr std::array commands{
              "  density = 7850\n  area = \"1cm2\"\n  points = 31\n  cells = 40\n"
              "--csv: the question, then gap [m], damping, amplitude, impulse [N s], frequency "
              "[Hz],\nmean_force [N], peak_strain, peak_stress [Pa], rattles_from, rattles_to "
-             "[Hz], irregular."},
+             "[Hz], irregular.",
+             isStudyKey},
             runStudy},
     Command{
         {"scene", "bars in a row, with springs, masses, gaps and stops: parsed, converted, drawn",

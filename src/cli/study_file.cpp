@@ -67,6 +67,16 @@ Entry entryOf(const std::string& key, const toml::node& node)
     return entry;
 }
 
+/// Is it an option of study, or one by which a sweep is not over the frequency?
+bool isOurs(std::string_view name)
+{
+    constexpr std::array<std::string_view, 17> ours{
+        "over", "frequency", "hertz",  "csv",          "figure",  "bifurcation",
+        "help", "resume",    "format", "quiet",        "threads", "verbose",
+        "up",   "down",      "rest",   "yield-stress", "progress"};
+    return std::find(ours.begin(), ours.end(), name) != ours.end();
+}
+
 /// In the order gap, damping, others: the last that vary go fastest.
 std::vector<Entry> entriesOf(const std::string& text)
 {
@@ -78,14 +88,10 @@ std::vector<Entry> entriesOf(const std::string& text)
                                                 error.source().begin.line,
                                                 error.source().begin.column, error.description()));
     }
-    constexpr std::array ours{"over",         "frequency", "hertz",  "csv",    "figure",
-                              "bifurcation",  "help",      "resume", "format", "quiet",
-                              "threads",      "verbose",   "up",     "down",   "rest",
-                              "yield-stress", "progress"};
     std::vector<Entry> entries;
     for (const auto& [key, node] : table) {
         const std::string name(key.str());
-        if (std::find(ours.begin(), ours.end(), name) != ours.end()) {
+        if (isOurs(name)) {
             throw std::invalid_argument(
                 fmt::format("{}: allowed the options of sweep over the frequency, and no files "
                             "(those are options of study)",
@@ -103,6 +109,12 @@ std::vector<Entry> entriesOf(const std::string& text)
 }
 
 }  // namespace
+
+bool isStudyKey(std::string_view name)
+{
+    return !isOurs(name) &&
+           answers::optionOf(answers::asks::sweep, fmt::format("--{}", name)) != nullptr;
+}
 
 StudyQuestion studyQuestionOf(const std::string& toml)
 {

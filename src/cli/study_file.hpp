@@ -4,6 +4,7 @@
 /// hyphens, and gap, damping and the amplitude may be lists of values.
 
 #include <string>
+#include <string_view>
 
 #include "study_answer.hpp"
 
@@ -14,6 +15,9 @@ struct StudyQuestion {
     std::string text;  ///< all on one line but gap, damping and amplitude, whose values may grow
     std::vector<answers::StudyCase> cases;
 };
+
+/// Is an option, without its hyphens, one of sweep that such a file may hold?
+[[nodiscard]] bool isStudyKey(std::string_view name);
 
 /// \throws std::invalid_argument naming the place or the key, and what is allowed.
 [[nodiscard]] StudyQuestion studyQuestionOf(const std::string& toml);

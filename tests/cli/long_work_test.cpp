@@ -182,6 +182,16 @@ TEST_CASE("cli study: each row is the worst of a sweep, and a list may grow")
         CHECK_THAT(outcome.err, Catch::Contains("wrong.toml: ") && Catch::Contains(fault));
     }
     CHECK(program.run("study none.toml").status == 4);
+    for (const char* option : {"--cells 4", "--cells=4", "--second-stop 1 --cells 4"}) {
+        const auto outcome = program.run(std::string("study q.toml ") + option);
+        INFO(outcome.err);
+        CHECK(outcome.status == 2);
+        CHECK_THAT(outcome.err, Catch::Contains("; allowed in FILE.toml: ") &&
+                                    Catch::Contains(" = ...") && !Catch::Contains("find"));
+    }
+    // A file does not take it either.
+    CHECK_THAT(program.run("study q.toml --over gap").err,
+               Catch::Contains("allowed with sweep") && !Catch::Contains("FILE.toml"));
 }
 
 TEST_CASE("cli response: --cells auto ends with what a fine grid says, in less time")
