@@ -51,6 +51,7 @@ class Wish(TypedDict, total=False):
     objective: Objective
     energy: Quantity | None
     energy_ratio: float | None
+    strain_limit: Quantity | None
     tolerance: Quantity
     time_limit: Quantity | None
     stability: bool
@@ -60,7 +61,6 @@ class Demands(Wish, OneBar, total=False):
 
     scene: Scene | None
     segments: Segments | None
-    strain_limit: Quantity | None
     formulation: str
     target: State | str | None
     tip_floor: Quantity | None

@@ -85,3 +85,17 @@ def test_all_that_the_package_says_it_has_is_there() -> None:
     import signorini
     assert [name for name in signorini.__all__
             if name != "plot" and not hasattr(signorini, name)] == []
+
+
+def test_keywords_that_calls_about_bars_take_are_those_of_the_stubs() -> None:
+    folder = Path(signorini.__file__).parent
+    tree = ast.parse((folder / "_keywords.pyi").read_text(encoding="utf-8"))
+    classes = {node.name: node for node in tree.body if isinstance(node, ast.ClassDef)}
+    one = names_in(tree, classes["Demands"])
+    several = names_in(tree, classes["DemandsOfBars"])
+    assert "strain_limit" in one
+    # Beside these the same is asked of both.
+    assert one - several == {"bar", "cells", "formulation", "second_stop", "segments", "tip_floor"}
+    assert several - one == {"gravity"}
+    found = signorini.find(3, 11, scene="clamp 4 gap=2e-3 4 clamp", strain_limit=1e-3)
+    assert found.status == "none"
