@@ -110,7 +110,7 @@ def find_bars(asked: dict[str, Any], times: dict[str, Any], usual: dict[str, Any
     if asked["damping"] is not None:
         raise ValueError("damping clashes with a scene of words: allowed dash=D among them")
     _refuse(asked, usual, ("cells", "tip_floor", "formulation", "contacts"),
-            "without a scene of words, or gravity")
+            "without a scene of words, gravity, or segments under an exact harmonic")
     schedule = asked["schedule"]
     if not times:
         forced = asked["force"] is not None

@@ -188,3 +188,11 @@ def test_a_study_takes_units() -> None:
 def test_a_unit_that_does_not_fit_is_named(ask: Callable[[], object], named: str) -> None:
     with pytest.raises(ValueError, match=f"^{named}"):
         ask()
+
+
+@pytest.mark.parametrize("wrong", [{"contacts": 2}, {"tip_floor": -1.0}, {"formulation": "state"}])
+def test_what_segments_under_a_harmonic_do_not_take_names_them(wrong: dict[str, Any]) -> None:
+    segments: dict[str, Any] = {"segments": [(3, 1.0), (3, 2.0)], "hertz": 0.5, "force": "tip",
+                                "damping": 0.1, "amplitude": 1e-3}
+    with pytest.raises(ValueError, match=f"^{next(iter(wrong))}: allowed only .* segments under"):
+        untyped.find(**segments, **wrong)
