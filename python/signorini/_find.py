@@ -10,7 +10,7 @@ from ._core import (Bar, Continuum, ForcedResult, HarmonicResult, Result,
                     Scene, SceneContinuum, SceneContinuumPoint, SceneForcedResult,
                     SceneHarmonicResult, SceneQuestion, SceneResult, State)
 from ._progress import Progress
-from ._question import Question, ask, ask_bars, continuum_of_bars, find_bars, period_of
+from ._question import Question, ask, ask_bars, continuum_of_bars, find_bars, period_of, refuse
 from ._words import (Force, Number, Objective, Quantity, Segments, Steps,
                      whole)
 
@@ -160,6 +160,8 @@ def find(
             (type(cycles) is not int or cycles != 1) and whole("cycles", cycles) != 1):
         raise ValueError("amplitude, cycles: allowed only together with "
                          "damping and force")
+    if contacts != 1:
+        raise ValueError("contacts: allowed only of a period, together with damping and force")
     if is_timed and schedule:
         raise ValueError("a schedule clashes with period, frequency and "
                          "hertz: allowed one of them")
@@ -167,8 +169,8 @@ def find(
         return _core.find(scheduled(asked))
     if not where.segments:
         return ask(times, asked)
-    if tip_floor is not None:
-        raise ValueError("tip_floor: allowed of a period only without segments")
+    refuse(asked, find.__kwdefaults__, ("tip_floor", "formulation"),
+           "of a schedule, or without segments")
     return ask_bars(times, asked)
 
 

@@ -84,8 +84,8 @@ _OF_FREE = ("energy", "energy_ratio", "target", "time_limit", "objective", "solv
 _OF_FORCED = ("amplitude", "cycles")
 
 
-def _refuse(asked: dict[str, Any], usual: dict[str, Any], names: tuple[str, ...],
-            where: str) -> None:
+def refuse(asked: dict[str, Any], usual: dict[str, Any], names: tuple[str, ...],
+           where: str) -> None:
     """ValueError if one of them is not what it is without."""
     clash = [name for name in names if asked[name] != usual.get(name)]
     if clash:
@@ -109,19 +109,19 @@ def find_bars(asked: dict[str, Any], times: dict[str, Any], usual: dict[str, Any
     """Answer what is asked about several bars: of a schedule, or under an exact harmonic."""
     if asked["damping"] is not None:
         raise ValueError("damping clashes with a scene of words: allowed dash=D among them")
-    _refuse(asked, usual, ("cells", "tip_floor", "formulation", "contacts"),
-            "without a scene of words, gravity, or segments under an exact harmonic")
+    refuse(asked, usual, ("cells", "tip_floor", "formulation", "contacts"),
+           "without a scene of words, gravity, or segments under an exact harmonic")
     schedule = asked["schedule"]
     if not times:
         forced = asked["force"] is not None
-        _refuse(asked, usual, _OF_FREE if forced else _OF_FORCED,
-                "without force" if forced else "together with force")
+        refuse(asked, usual, _OF_FREE if forced else _OF_FORCED,
+               "without force" if forced else "together with force")
         asked["steps"] = _spans_in(schedule)
         return _core.find_forced_bars(asked) if forced else _core.find_bars(asked)
     if asked["force"] is None:
-        _refuse(asked, usual, _OF_FORCED, "together with force")
+        refuse(asked, usual, _OF_FORCED, "together with force")
         return ask_bars(times, asked)
-    _refuse(asked, usual, _OF_FREE, "of a schedule, or without force")
+    refuse(asked, usual, _OF_FREE, "of a schedule, or without force")
     if schedule or asked["amplitude"] is None:
         raise ValueError("period, frequency, hertz: of a forced scene of words allowed without a "
                          "schedule, with amplitude")

@@ -11,6 +11,7 @@
 #include "faults.hpp"
 #include "scene_answer.hpp"
 #include "scene_figures.hpp"
+#include "stepped_bar.hpp"
 
 namespace signorini::python {
 
@@ -161,8 +162,13 @@ void addScene(py::module_& module)
     addBar(module);
     addWholeScene(module);
     addCall(module, "words_of", [](const Asked& asked) {
-        const std::int64_t cells = asked.maybe<std::int64_t>("cells").value_or(usualCells);
-        return textOf(answers::assemblyOf(asked.scene(), cells, asked.dampingIfGiven()).parts);
+        const Scene scene = asked.scene();
+        const auto cells = asked.maybe<std::int64_t>("cells");
+        if (cells && !scene.segments.empty()) {
+            requireCells(steppedBar(scene.segments), *cells);
+        }
+        return textOf(
+            answers::assemblyOf(scene, cells.value_or(usualCells), asked.dampingIfGiven()).parts);
     });
     addSchedule(module);
     addState(module);

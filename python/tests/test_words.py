@@ -190,6 +190,20 @@ def test_a_unit_that_does_not_fit_is_named(ask: Callable[[], object], named: str
         ask()
 
 
+def test_what_no_question_of_segments_looks_at_is_refused() -> None:
+    untimed: dict[str, Any] = {"segments": [(3, 1.0), (3, 2.0)]}
+    cases: list[tuple[dict[str, Any], dict[str, Any]]] = [
+        ({**untimed, "period": 3.5}, {"cells": 4}),
+        ({**untimed, "period": 3.5}, {"contacts": 2}),
+        ({**untimed, "period": 3.5}, {"formulation": "state"}),
+        ({"cells": 12, "period": 3.5}, {"contacts": 2}),
+        ({**untimed, "hertz": 0.5, "force": "tip", "damping": 0.1, "amplitude": 1e-3},
+         {"cells": 4})]
+    for asked, wrong in cases:
+        with pytest.raises(ValueError, match=f"^{next(iter(wrong))}.*allowed"):
+            untyped.find(**asked, **wrong)
+
+
 @pytest.mark.parametrize("wrong", [{"contacts": 2}, {"tip_floor": -1.0}, {"formulation": "state"}])
 def test_what_segments_under_a_harmonic_do_not_take_names_them(wrong: dict[str, Any]) -> None:
     segments: dict[str, Any] = {"segments": [(3, 1.0), (3, 2.0)], "hertz": 0.5, "force": "tip",

@@ -171,11 +171,14 @@ std::int64_t CommonOptions::usualCells() const
         }
         return sum;
     }
-    if (cells || segments_.empty()) {
+    if (segments_.empty()) {
         return cells.value_or(300);
     }
     for (const Segment& segment : segments_) {
         sum += std::min(segment.cells, maxCells);
+    }
+    if (cells && *cells != sum) {
+        throwFault("cells of all segments", sum, fmt::format("{}, N", *cells));
     }
     return sum;
 }

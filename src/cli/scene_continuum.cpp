@@ -13,7 +13,6 @@
 #include "scene_report.hpp"
 #include "signorini/output.hpp"
 #include "state_table.hpp"
-#include "stepped_bar.hpp"
 
 namespace signorini::cli {
 
@@ -28,7 +27,6 @@ std::optional<Assembly> barsOf(const Given& given, const CommonOptions& common)
     if (scene.segments.empty()) {
         return std::nullopt;
     }
-    requireCells(steppedBar(scene.segments), common.usualCells());
     return answers::assemblyOf(scene, common.usualCells(), {});
 }
 

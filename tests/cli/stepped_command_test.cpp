@@ -25,7 +25,7 @@ std::string fieldOf(const json& value)
 /// What the table of an atlas says in a column, by the JSON of its row.
 std::string columnOf(const json& row, const std::string& name)
 {
-    for (const auto& [end, place] : {std::pair{"_min", 0}, std::pair{"_max", 1}}) {
+    for (const auto& [end, place] : {std::pair{"_min", 0U}, std::pair{"_max", 1U}}) {
         if (name.ends_with(end)) {
             const std::string range = name.substr(0, name.size() - 4) + "_range";
             return row.contains(range) && !row[range].is_null() ? fieldOf(row[range][place]) : "";
@@ -109,7 +109,14 @@ TEST_CASE("cli stepped: a call that cannot be meant is refused by name")
     };
     refuses("find 3 25 --segments 4", "CELLS:IMPEDANCE[:SPEED");
     refuses("find 3 25 --segments 4:0,4:1", "--segments");
-    refuses("find 3 25 --segments 4:1,4:1.3 --cells 9", "cells of all segments = 8");
+    const std::string force = " --damping 0.1 --force tip --amplitude 1e-3";
+    for (const std::string& asked :
+         {std::string("find 3 25"), std::string("find --period 3"), "find --frequency 1.1" + force,
+          "simulate --rest --periods 2 --frequency 1" + force,
+          "response --exact --from 1 --to 1.1" + force,
+          "sweep --periods 5 --points 2 --from 1 --to 1.1" + force}) {
+        refuses(asked + " --segments 4:1,4:1.3 --cells 9", "cells of all segments = 8");
+    }
     refuses("find 3 25 --segments 4:1,4:1.3:2 --motion m.pvd", "several speeds");
     refuses("find --frequency 8/7 --segments 4:1,4:1.3 --formulation state", "--formulation");
     refuses("simulate --segments 4:1,4:1.3:1:-1 --time 1", "dashpot of segment 2");
