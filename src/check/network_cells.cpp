@@ -39,12 +39,12 @@ NetworkCells::NetworkCells(const Network& network, const NetworkClaim& claim, do
         const auto cells = static_cast<std::size_t>(row.cells);
         Row made{{std::reverse_iterator(next + cells), std::reverse_iterator(next)},
                  {next + cells, next + 2 * cells},
-                 SlidingRange(cells + 1),
-                 SlidingRange(cells + 1),
+                 SlidingRange(cells),
+                 SlidingRange(cells),
                  (network.nodes[row.right].rest - network.nodes[row.left].rest) /
                      static_cast<double>(cells)};
         for (std::size_t k = 0; k < cells; ++k) {
-            meet(made, row.speed, made.right[k], made.left[k]);
+            meet(made, row.speed, made.right[k], made.left[k], std::nullopt);
         }
         rows_.push_back(std::move(made));
         next += 2 * cells;
@@ -92,23 +92,33 @@ double NetworkCells::approach(std::size_t number) const
                                                     : -here;
 }
 
-/// Two waves that enter a row meet those of the other side that are in it: number a of one and b of
-/// the other where weight stretches a cell by -gravity (b - a)/2 more than in the middle, and by
-/// half of gravity less or more on the way through each other.
-void NetworkCells::meet(Row& row, double speed, double right, double left)
+/// Two waves that enter a row meet those of the other side that are in it, and those that arrive
+/// just now at its ends: number a from the left and b from the right where weight stretches a cell
+/// by gravity (b - a)/2 less than in the middle, and by half of gravity less or more on the way
+/// through each other, of which one half is the row's at its ends.
+void NetworkCells::meet(Row& row, double speed, double right, double left,
+                        std::optional<std::pair<double, double>> arriving)
 {
-    const double weight = network_.gravity * 0.5 * static_cast<double>(row.met++);
+    const double gravity = network_.gravity;
+    const double weight = 0.5 * gravity * static_cast<double>(row.met++);
     right -= weight;
     left -= weight;
     row.rights.add(right);
     row.lefts.add(left);
-    const double half = 0.5 * std::abs(network_.gravity);
-    const double least =
-        row.rest - half + std::min(row.lefts.least() - right, left - row.rights.most());
-    const double most =
-        row.rest + half + std::max(row.lefts.most() - right, left - row.rights.least());
-    extremes_.leastStrain = std::min(extremes_.leastStrain, least / speed);
-    extremes_.mostStrain = std::max(extremes_.mostStrain, most / speed);
+    const double half = 0.5 * std::abs(gravity);
+    double least = std::min(row.lefts.least() - right, left - row.rights.most()) - half;
+    double most = std::max(row.lefts.most() - right, left - row.rights.least()) + half;
+    if (arriving) {
+        const double older = 0.5 * gravity * static_cast<double>(row.right.size());
+        const double atLeft = arriving->second + older - weight - right;
+        const double atRight = left - (arriving->first + older - weight);
+        least = std::min(
+            {least, atLeft - std::max(0.5 * gravity, 0.0), atRight + std::min(0.5 * gravity, 0.0)});
+        most = std::max(
+            {most, atLeft - std::min(0.5 * gravity, 0.0), atRight + std::max(0.5 * gravity, 0.0)});
+    }
+    extremes_.leastStrain = std::min(extremes_.leastStrain, (row.rest + least) / speed);
+    extremes_.mostStrain = std::max(extremes_.mostStrain, (row.rest + most) / speed);
 }
 
 void NetworkCells::look(std::size_t step)
@@ -293,12 +303,13 @@ void NetworkCells::send()
     for (std::size_t k = 0; k < rows_.size(); ++k) {
         Row& row = rows_[k];
         const CellRow& cells = network_.rows[k];
-        const double right = velocities_[cells.left] - row.left[row.head];
-        const double left = velocities_[cells.right] - row.right[row.head];
+        const std::pair arriving(row.right[row.head], row.left[row.head]);
+        const double right = velocities_[cells.left] - arriving.second;
+        const double left = velocities_[cells.right] - arriving.first;
         row.right[row.head] = right;
         row.left[row.head] = left;
         row.head = row.head + 1 == row.right.size() ? 0 : row.head + 1;
-        meet(row, cells.speed, right, left);
+        meet(row, cells.speed, right, left, arriving);
     }
     for (std::size_t k = 0; k < stubs_.size(); ++k) {
         const double leaving = velocities_[network_.stubs[k].node] - stubs_[k];

@@ -83,7 +83,8 @@ private:
     };
 
     void compareWith();
-    void meet(Row& row, double speed, double right, double left);
+    void meet(Row& row, double speed, double right, double left,
+              std::optional<std::pair<double, double>> arriving);
     void send();
     [[nodiscard]] double approach(std::size_t number) const;
     [[nodiscard]] double pushOf(ContactSet closed, std::size_t number) const;

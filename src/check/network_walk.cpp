@@ -75,8 +75,7 @@ double strainExcess(const Network& network, const NetworkClaim& claim, const Net
     for (const CellRow& row : network.rows) {
         slowest = std::min(slowest, row.speed);
     }
-    const double half = 0.5 * std::abs(network.gravity);
-    const double beyond = -seen.leastStrain - half / slowest - network.strainLimit;
+    const double beyond = -seen.leastStrain - network.strainLimit;
     return std::max(0.0,
                     beyond / std::max(network.strainLimit, largestSizeOf(claim.waves) / slowest));
 }

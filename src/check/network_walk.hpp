@@ -37,7 +37,7 @@ struct ContactExtremes {
 };
 
 /// What a network reaches in a period. Strains are those of motions: waves that meet before the
-/// period or after it are among them; and with weight to within that of half a cell.
+/// period or after it are among them.
 struct NetworkExtremes {
     std::vector<ContactExtremes> contacts;
     double leastStrain = 0.0;  ///< of (l - r)/speed, in cells, between them and at their nodes, and
@@ -71,8 +71,8 @@ struct NetworkResiduals {
 [[nodiscard]] NetworkResiduals walk(const Network& network, const NetworkClaim& claim,
                                     double tolerance = 1e-9);
 
-/// By how much strain goes beyond the limit of the network, weight on half a cell left out,
-/// relative to the limit or the strain of the largest wave; 0: it does not.
+/// By how much strain goes beyond the limit of the network, relative to the limit or the strain of
+/// the largest wave; 0: it does not.
 [[nodiscard]] double strainExcess(const Network& network, const NetworkClaim& claim,
                                   const NetworkExtremes& seen);
 
