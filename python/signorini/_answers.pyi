@@ -611,6 +611,8 @@ class SceneHarmonicMotion(_Record):
     impulse: float
     peak_force: float
     speed: float
+    growth: Optional[float]
+    attracts: Optional[bool]
     residual: float
     strains: SceneStrains
     stability: Optional[SceneStabilityReport]

@@ -4,6 +4,7 @@
 
 #include "faults.hpp"
 #include "harmonic_network_contact.hpp"
+#include "late_contacts.hpp"
 
 namespace signorini::answers {
 
@@ -61,6 +62,19 @@ SceneHarmonicMotion motionOf(const Assembly& assembly, const NetworkScales& scal
 {
     const SceneStrains strains = strainsOf(assembly, scales, motion.leastStrain, motion.mostStrain);
     return {std::move(motion), scales, strains};
+}
+
+std::optional<bool> SceneHarmonicMotion::attracts() const
+{
+    if (inSteps) {
+        const Stability tried =
+            inSteps->stability ? inSteps->stability->result.stability : Stability::unclear;
+        return tried == Stability::unclear ? std::nullopt
+                                           : std::optional(tried == Stability::attracts);
+    }
+    return value.growth && std::abs(*value.growth - 1.0) > sameGrowth
+               ? std::optional(*value.growth < 1.0)
+               : std::nullopt;
 }
 
 HarmonicNetwork SceneHarmonicAnswer::given() const

@@ -33,6 +33,9 @@ struct SceneHarmonicMotion {
     std::optional<InSteps> inSteps = {};
 
     [[nodiscard]] double compression() const { return strains.compression; }
+    /// Does it come back when it is disturbed? As growth says, or as was tried under a staircase;
+    /// nothing where neither tells.
+    [[nodiscard]] std::optional<bool> attracts() const;
     [[nodiscard]] const char* release() const
     {
         return !inSteps ? releaseOf(value) : inSteps->opens ? "step" : "never";
@@ -100,6 +103,14 @@ void describe(auto& d, Type<SceneHarmonicMotion>)
           [](const T& m) { return m.value.peakForce * m.scales.force(); });
     d.key("speed", "m/s >= 0", "With which the contact closes.",
           [](const T& m) { return m.value.speed * m.scales.velocity(); });
+    d.key("growth", "- > 0",
+          "Of a small disturbance in a period, under an exact harmonic; nothing where it is not "
+          "known.",
+          ofValue(&NetworkHarmonicMotion::growth));
+    d.key("attracts", "-",
+          "Do bars that are disturbed a little come back? As growth says, or under a staircase as "
+          "was tried; nothing where neither tells.",
+          &T::attracts);
     d.key("residual", "- >= 0", "The worst that was seen moving its waves by the law; relative.",
           ofValue(&NetworkHarmonicMotion::residual));
     d.key("strains", "-", "In a period.", &T::strains);

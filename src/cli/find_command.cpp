@@ -169,7 +169,7 @@ ExitStatus FindCommand::run() const
                  "--motion writes samples");
         refuseIf(triesStability(),
                  "--stability: allowed of a schedule, or without force: under an exact harmonic "
-                 "each motion of one bar says by itself how disturbances grow");
+                 "each motion says by itself how disturbances grow");
     }
     if (common.hasScene()) {
         const bool isOfBar = question.isAsked() && (!isForced() || force.ratio);

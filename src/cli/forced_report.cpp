@@ -116,16 +116,7 @@ std::string asText(const answers::HarmonicAnswer& answer)
                   "and no other within {:.0e}\n",
                   motion.proof.within, motion.proof.aloneWithin);
         }
-        if (motion.attracts || motion.growth) {
-            print(text, "stability   {}{}\n",
-                  !motion.attracts   ? "not known"
-                  : *motion.attracts ? "attracts"
-                                     : "repels",
-                  motion.growth
-                      ? fmt::format(": small disturbances become {:.4g} times as large in a period",
-                                    *motion.growth)
-                      : " (tried: disturbed a little, 150 periods)");
-        }
+        print(text, "{}", growthText(motion.growth, motion.attracts));
     }
     print(text, "{}", limitText(answer.limit));
     if (answer.all.rests.value_or(false)) {

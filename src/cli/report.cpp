@@ -370,6 +370,21 @@ std::string limitText(const std::optional<double>& strainLimit)
                : "";
 }
 
+std::string growthText(const std::optional<double>& growth, const std::optional<bool>& attracts)
+{
+    if (!growth && !attracts) {
+        return {};
+    }
+    return fmt::format(
+        "stability   {}{}\n",
+        !attracts   ? "not known"
+        : *attracts ? "attracts"
+                    : "repels",
+        growth
+            ? fmt::format(": small disturbances become {:.4g} times as large in a period", *growth)
+            : " (tried: disturbed a little, 150 periods)");
+}
+
 std::string limitText(const answers::HarmonicLimit& limit)
 {
     return limitText(limit.strain) +

@@ -86,6 +86,10 @@ void report(const CommonOptions& common, const auto& answer, std::optional<std::
 /// The line of a limit on strain, or none.
 [[nodiscard]] std::string limitText(const std::optional<double>& strainLimit);
 [[nodiscard]] std::string limitText(const answers::HarmonicLimit& limit);
+/// By how much disturbances of a motion under an exact harmonic grow in a period, or what was tried
+/// of it; nothing where neither is known.
+[[nodiscard]] std::string growthText(const std::optional<double>& growth,
+                                     const std::optional<bool>& attracts);
 /// Lines: the largest strain of all motions of a range, and its stress where that is known.
 [[nodiscard]] std::string worstStrainText(double strain, const std::optional<double>& stress,
                                           double hertz, std::optional<double> yieldStress);

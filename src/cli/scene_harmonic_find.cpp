@@ -33,7 +33,7 @@ std::string asText(const answers::SceneHarmonicAnswer& answer)
                             value.peakForce * scales.force(),
                             value.impulse * scales.force() * scales.time,
                             value.speed * scales.velocity());
-        text += cli::asText(motion.strains);
+        text += cli::asText(motion.strains) + growthText(value.growth, motion.attracts());
     }
     text += limitText(answer.limit);
     if (const auto detail = answer.detail()) {

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "files.hpp"
 #include "force_options.hpp"
@@ -60,6 +61,23 @@ std::string strainText(const SceneResponse& answer)
                        : std::string();
 }
 
+/// How many motions attract, where that is known of any.
+std::string stabilityText(const SceneResponse& answer)
+{
+    std::array<std::size_t, 3> counts{};  // repel, attract, not known
+    for (const SceneFrequency& at : answer.frequencies) {
+        for (const SceneHarmonicMotion& motion : at.motions) {
+            const std::optional<bool> attracts = motion.attracts();
+            ++counts.at(attracts ? (*attracts ? 1 : 0) : 2);
+        }
+    }
+    const auto [repelling, attracting, unknown] = counts;
+    return repelling + attracting == 0
+               ? std::string()
+               : fmt::format("stability   {} attract, {} repel, of {} it is not known\n",
+                             attracting, repelling, unknown);
+}
+
 std::string asText(const SceneResponse& answer)
 {
     const answers::SceneRange& range = answer.range;
@@ -98,7 +116,7 @@ std::string asText(const SceneResponse& answer)
                             worst->value.peakForce * answer.scales.force(),
                             worst->value.contact + 1, hertz);
     }
-    text += strainText(answer);
+    text += strainText(answer) + stabilityText(answer);
     const auto open = std::find_if(answer.frequencies.begin(), answer.frequencies.end(),
                                    [](const SceneFrequency& at) { return at.reason; });
     if (open != answer.frequencies.end()) {
@@ -111,14 +129,15 @@ void writeSceneResponseCsv(const std::string& path, const SceneResponse& answer)
 {
     constexpr std::string_view header =
         "steps,frequency_ratio,frequency,amplitude,touches,motion,contact,contact_time,release,"
-        "phase,impulse,peak_force,speed,residual,stability,compression,tension";
+        "phase,impulse,peak_force,speed,residual,stability,compression,tension,"
+        "growth,attracts";
     writeCsv(path, header, [&](CsvRows& row) {
         for (const SceneFrequency& at : answer.frequencies) {
             const auto put = [&](const auto&... values) {
                 row(at.steps, at.ratio, at.hertz, at.amplitude, at.touches(), values...);
             };
             if (at.motions.empty()) {
-                put(",,,,,,,,,,,");
+                put(",,,,,,,,,,,,,");
             }
             for (std::size_t k = 0; k < at.motions.size(); ++k) {
                 const SceneHarmonicMotion& motion = at.motions[k];
@@ -129,7 +148,7 @@ void writeSceneResponseCsv(const std::string& path, const SceneResponse& answer)
                     value.peakForce * scales.force(), value.speed * scales.velocity(),
                     value.residual,
                     isTried ? name(inSteps->stability->result.stability) : std::string_view(),
-                    strains.compression, strains.tension);
+                    strains.compression, strains.tension, value.growth, motion.attracts());
             }
         }
     });
@@ -171,8 +190,8 @@ ExitStatus respondInBars(const Given& given, const CommonOptions& common, const 
             "only with --amplitude, without --exact: at other amplitudes an exact harmonic has "
             "contacts of other times");
     }
-    refuseIf(isExact && given.has("--stability"), "--stability", "true",
-             "none with --exact of several bars or segments");
+    refuseIf(isExact && given.has("--stability"),
+             "--stability: allowed without --exact, which says by itself how disturbances grow");
     const Bar bar{.length = assembly.length,
                   .waveSpeed = assembly.waveSpeed,
                   .young = answers::modulusOf(assembly)};

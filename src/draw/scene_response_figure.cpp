@@ -43,13 +43,6 @@ struct ContactDots {
     }
 };
 
-/// Was a motion perturbed, and did it grow?
-bool repels(const SceneHarmonicMotion& motion)
-{
-    return motion.inSteps && motion.inSteps->stability &&
-           motion.inSteps->stability->result.stability == Stability::repels;
-}
-
 }  // namespace
 
 FigureData sceneResponseFigure(const answers::SceneResponse& response)
@@ -83,7 +76,7 @@ FigureData sceneResponseFigure(const answers::SceneResponse& response)
             unknown.add(at.hertz, 0.0);
         }
         for (const SceneHarmonicMotion& motion : at.motions) {
-            ContactDots& dots = contacts[motion.value.contact][repels(motion) ? 1 : 0];
+            ContactDots& dots = contacts[motion.value.contact][motion.attracts() == false ? 1 : 0];
             dots.force.add(at.hertz, forceOf(motion) * forceUnit.factor);
             dots.impulse.add(at.hertz, impulseOf(motion) * impulseUnit.factor);
         }

@@ -7,6 +7,7 @@
 
 #include "contact_answers.hpp"
 #include "contact_spans.hpp"
+#include "harmonic_network_growth.hpp"
 #include "harmonic_network_walk.hpp"
 #include "harmonic_release.hpp"
 #include "largest.hpp"
@@ -205,6 +206,7 @@ std::vector<NetworkHarmonicMotion> harmonicContacts(const HarmonicNetwork& given
     }
     for (NetworkHarmonicMotion& motion : found) {
         measureStrains(still, displaced, motion);
+        motion.growth = growthOf(still, motion);
     }
     std::sort(found.begin(), found.end(),
               [](const auto& x, const auto& y) { return x.impulse < y.impulse; });

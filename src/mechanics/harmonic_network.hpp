@@ -10,6 +10,7 @@
 
 #include <complex>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <vector>
@@ -57,6 +58,8 @@ struct NetworkHarmonicMotion {
     /// [-], the worst defect: waves that do not come back, distance at the start or the end, a
     /// pull, an overlap of any contact; of the largest wave, or of the gap.
     double residual = 0.0;
+    /// [-], of a disturbance in a period, if it is known (harmonic_network_growth.hpp).
+    std::optional<double> growth = {};
 };
 
 /// A network that constant forces have displaced, and what moves on from there.

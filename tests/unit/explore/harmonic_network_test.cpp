@@ -1,10 +1,13 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
 #include "catch.hpp"
+#include "disturbed.hpp"
 #include "exact_response.hpp"
 #include "harmonic_contact.hpp"
+#include "harmonic_growth.hpp"
 #include "harmonic_network_contact.hpp"
 #include "has_solver.hpp"
 #include "infinity.hpp"
@@ -85,6 +88,49 @@ TEST_CASE("harmonic network: of one bar the list is that of the closed form")
     CHECK(static_cast<double>(reached) > 1.8 * static_cast<double>(count));
 }
 
+TEST_CASE("harmonic network: of one bar disturbances grow as by the closed form")
+{
+    std::mt19937 random(8);
+    const auto draw = [&](double least, double most) {
+        return std::uniform_real_distribution<>(least, most)(random);
+    };
+    std::size_t known = 0;
+    std::size_t missing = 0;  // in one of the two
+    std::array<std::size_t, 2> growing{};
+    std::array<std::size_t, 2> pinned{};
+    for (int i = 0; i < 200; ++i) {
+        const std::int64_t cells = 30 + i % 23;
+        const auto steps = static_cast<std::int64_t>(draw(2.0, 5.5) * static_cast<double>(cells));
+        const Damping damping{.ratio = std::pow(10.0, draw(-2.0, -0.7))};
+        const Excited place = i % 2 == 0 ? Excited::tip : Excited::base;
+        const double amplitude = std::pow(10.0, draw(-1.0, 0.5));
+        const HarmonicCase given = harmonicCase(
+            damping, {place, amplitude, 0.0, 1, steps, static_cast<double>(cells)}, {});
+        const double unit = place == Excited::tip ? 1.0 : static_cast<double>(cells);
+        const auto network = harmonicContacts(
+            HarmonicNetwork{networkOf(Scene{}, cells, damping), place, unit * amplitude, steps, 1});
+        const auto bar = harmonicContacts(given);
+        REQUIRE(network.size() == bar.size());
+        for (std::size_t k = 0; k < bar.size(); ++k) {
+            const auto closed = growthOf(given, bar[k]);
+            const auto& growth = network[k].growth;
+            if (!closed || !growth) {
+                missing += closed || growth ? 1 : 0;
+                continue;
+            }
+            ++known;
+            ++pinned.at(network[k].isPinned ? 1 : 0);
+            ++growing.at(*growth > 1.0 ? 1 : 0);
+            CHECK(*growth == Approx(*closed).epsilon(2e-3));
+        }
+    }
+    CHECK(known > 40);
+    CHECK(missing < 10);
+    CHECK(growing[0] > 10);
+    CHECK(growing[1] > 10);
+    CHECK(pinned[1] > 5);
+}
+
 namespace {
 
 /// Impulses, in steps of the coarse grid, of all motions with one contact of more than a step under
@@ -151,6 +197,70 @@ TEST_CASE(
         }
     }
     CHECK(count >= static_cast<std::size_t>(test::drawn(8)));
+}
+
+namespace {
+
+/// The motion of a staircase with q steps in each whose contact is nearest to one of so many steps.
+std::optional<StabilityResult> triedOnStaircase(std::string_view words, std::int64_t q,
+                                                std::int64_t steps, Excited place, double amplitude,
+                                                const NetworkHarmonicMotion& exact)
+{
+    const Network fine = finer(words, q);
+    const double unit = place == Excited::tip ? 1.0 : static_cast<double>(fine.cells());
+    const auto size = static_cast<double>(q);
+    const auto nearest = static_cast<std::int64_t>(std::lround(size * exact.release));
+    for (const std::int64_t contact : {nearest, nearest + 1, nearest - 1}) {
+        const std::vector<ContactSpan> schedule{{1, contact}, {0, q * steps - contact}};
+        const ForcedSet set = forcedScene(fine, schedule, {place, 1, {}}, 1e6);
+        if (contact < 1 || set.status != Status::found) {
+            continue;
+        }
+        for (const ForcedMotion& motion : motionsOfAmplitude(set, unit * amplitude)) {
+            if (std::abs(motion.extremes.impulse / size - exact.impulse) < 0.03 * exact.impulse) {
+                return stabilityOf(fine, claimOf(schedule, motion));
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+TEST_CASE("harmonic network: staircases that are disturbed come back where growth says so")
+{
+    std::mt19937 random(11);
+    const auto draw = [&](double least, double most) {
+        return std::uniform_real_distribution<>(least, most)(random);
+    };
+    std::array<std::size_t, 2> tried{};  // repel, attract
+    for (const char* words :
+         {"clamp 13 dash=0.1 driven gap=1e-3 dash=0.2 17:1.3 clamp",
+          "clamp 11 8:1.7 dash=0.05 driven stop=1e-3", "clamp shaken 9 8:0.6 dash=0.1 stop=1e-3"}) {
+        const Network network = barsOf(words);
+        const Excited place = network.nodes.front().isShaken ? Excited::base : Excited::tip;
+        const double unit = place == Excited::base ? static_cast<double>(network.cells()) : 1.0;
+        for (int i = 0; i < test::drawn(40); ++i) {
+            const auto n =
+                static_cast<std::int64_t>(draw(2.2, 4.5) * static_cast<double>(network.cells()));
+            const double amplitude = std::exp2(draw(-1.0, 2.0));
+            for (const NetworkHarmonicMotion& motion :
+                 harmonicContacts(HarmonicNetwork{network, place, unit * amplitude, n, 1})) {
+                if (!motion.growth || std::abs(*motion.growth - 1.0) < 0.05) {
+                    continue;
+                }
+                const auto result = triedOnStaircase(words, 12, n, place, amplitude, motion);
+                if (!result || result->stability == Stability::unclear) {
+                    continue;
+                }
+                INFO(words << ", n = " << n << ", " << amplitude << ": " << *motion.growth);
+                CHECK((result->stability == Stability::attracts) == (*motion.growth < 1.0));
+                ++tried.at(*motion.growth < 1.0 ? 1 : 0);
+            }
+        }
+    }
+    CHECK(tried[0] >= 3);
+    CHECK(tried[1] >= 3);
 }
 
 TEST_CASE("harmonic network: without contact a gap keeps what the linear motion of one bar leaves")
