@@ -140,6 +140,10 @@ private:
 /// The bars in a row that an atlas is of, if it is.
 [[nodiscard]] std::optional<Assembly> barsOf(const std::vector<AtlasRun>& runs);
 
+/// Are schedules in families? Those of segments and of bars in a row are not.
+[[nodiscard]] bool hasFamilies(const AtlasRange& range);
+[[nodiscard]] bool hasFamilies(const std::vector<AtlasRun>& runs);
+
 /// How to make an atlas.
 struct AtlasOptions {
     std::int64_t threads = 1;  ///< [-], of this process

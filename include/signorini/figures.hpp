@@ -107,12 +107,18 @@ struct FrequencyEnergyPlot {
 /// How to draw it.
 struct FrequencyEnergyOptions {
     std::optional<double> maxFrequencyRatio = {};  ///< [-], right end; unset: the last item
-    double maxEnergyRatio = 50.0;                  ///< [E_1], top; > 1
+    std::optional<double> maxEnergyRatio = {};     ///< [E_1], top; unset: `topOf`
     Bar bar = {};                                  ///< whose hertz the upper axis has
     /// The one panel from here to the right end, in place of the whole and its detail.
     std::optional<double> leastFrequencyRatio = {};
     std::int64_t maxOrder = 60;  ///< [-], of the families behind those of an atlas
 };
+
+/// [E_1], the top: 50 where none is given.
+[[nodiscard]] inline double topOf(const FrequencyEnergyOptions& options)
+{
+    return options.maxEnergyRatio.value_or(50.0);
+}
 
 /// omega/omega_1 = 4/T against E/E_1 (logarithmic): the whole, and once more the part where
 /// families crowd, with the names (w, nu, k) of the first ones; of the paper's bar its motion of
@@ -131,7 +137,11 @@ struct FrequencyEnergyOptions {
 
 /// The frequency-energy plot of what a database holds: the families of its schedules as dots, sets
 /// of several contacts as bars, linear motions once each; over the exact modes and the families of
-/// order 60 at most, whatever the grid. \throws FileError.
+/// order 60 at most, whatever the grid. Of segments and of bars in a row, which have no families:
+/// panel "energy", a dot at the least energy of each schedule that has motions, all of them where
+/// the options give no ends; in hertz or joules where nothing has an omega_1 or E_1.
+/// \throws FileError; std::invalid_argument of a uniform bar without a gap > 0 or with two stops,
+/// whose modes are others, and on ends in a unit that bars do not have.
 [[nodiscard]] FigureData frequencyEnergyFigure(const AtlasDatabase& atlas,
                                                std::optional<std::int64_t> cells,
                                                const FrequencyEnergyOptions& options = {});
@@ -139,8 +149,9 @@ struct FrequencyEnergyOptions {
 /// The existence map: a dot at (t_f, t_c) = (n_f/N, n_c/N), in L/c, for each schedule of one phase
 /// that has motions, coloured by its least energy; grazing ones grey. Schedules of one family are a
 /// line, its tent; those of order 7 at most have their names. Flights beyond 4 L/c, which only
-/// repeat linear motions, are left out. An atlas without any leaves an empty map. Panel "map"; of
-/// bars in a row with several contacts one more for each, "map2", ...
+/// repeat linear motions, are left out. Of segments and of bars in a row those that are undecided
+/// are crosses. An atlas without any leaves an empty map. Panel "map"; of bars in a row with
+/// several contacts one more for each, "map2", ...
 /// \throws FileError.
 [[nodiscard]] FigureData existenceFigure(const AtlasDatabase& atlas,
                                          std::optional<std::int64_t> cells);

@@ -58,16 +58,6 @@ std::string optionsOf(const AtlasRange& range)
            (range.bars ? fmt::format(" --scene '{}'", sceneText(range)) : "");
 }
 
-constexpr const char* figureOfFamilies =
-    "--figure: allowed for a uniform bar, whose families it shows; --csv holds the schedules of "
-    "others";
-
-/// Those of segments and of bars in a row have schedules alone.
-bool hasFamilies(const AtlasRange& range)
-{
-    return range.segments.empty() && !range.bars;
-}
-
 /// The schedules that a question was answered with, or, without one, all that there are.
 void forEachListed(const AtlasDatabase& atlas, std::optional<std::int64_t> cells,
                    const AtlasAnswer& answer, const std::function<void(const AtlasEntry&)>& action)
@@ -190,8 +180,7 @@ ExitStatus AtlasCommand::run() const
         refuseIf(database.empty(), "--database is missing: allowed the name of an SQLite file");
         if (given.has("--figure")) {
             const AtlasRange asked = usualRangeOfScene();
-            refuseIf(!hasFamilies(asked), figureOfFamilies);
-            refuseIf(stopsOf(asked) != Stops{},
+            refuseIf(hasFamilies(asked) && stopsOf(asked) != Stops{},
                      "--figure: allowed with a gap > 0 and one stop, whose plot it is; --csv holds "
                      "the families");
         }
@@ -292,14 +281,13 @@ void AtlasCommand::draw(const AtlasDatabase& atlas, std::optional<std::int64_t> 
                         const AtlasAnswer& answer, Outputs& outputs) const
 {
     const std::vector<AtlasRun> runs = atlas.runs();
-    const bool areFamilies = std::all_of(
-        runs.begin(), runs.end(), [](const AtlasRun& run) { return hasFamilies(run.range); });
-    refuseIf(given.has("--figure") && !areFamilies, figureOfFamilies);
     outputs.draw("--figure", [&] {
-        return frequencyEnergyFigure(atlas, cells, {.maxFrequencyRatio = {}, .bar = bar()});
+        FrequencyEnergyOptions options;
+        options.bar = barsOf(runs) ? Bar() : bar();
+        return frequencyEnergyFigure(atlas, cells, options);
     });
     outputs.draw("--map", [&] { return existenceFigure(atlas, cells); });
-    if (areFamilies) {
+    if (hasFamilies(runs)) {
         outputs.put("--csv", writeAtlasCsv, atlas, cells, bar());
     } else {
         outputs.put("--csv", writeSchedulesCsv, units(barsOf(runs)),

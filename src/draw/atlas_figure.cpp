@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
-#include <stdexcept>
+#include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
+#include "atlas_scene.hpp"
 #include "infinity.hpp"
-#include "network_find.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/modes.hpp"
 
@@ -32,16 +32,19 @@ constexpr double nameDistance = 0.11;  ///< [L/c]
 struct Map {
     Series pressing = plot::dots(Role::ink);
     Series grazing = plot::dots(Role::faint);
+    Series undecided = plot::dots(Role::ink, 1.0, Marker::cross);
     std::vector<Family> tents;  ///< those to be named, by ascending order
     double contactTime = 0.0;   ///< [L/c], longest drawn
     double flightTime = 0.0;    ///< [L/c], longest drawn
     double cells = 1.0;         ///< of the finest grid
 
-    Map(const AtlasDatabase& atlas, std::optional<std::int64_t> of, Stop contact)
+    Map(const AtlasDatabase& atlas, std::optional<std::int64_t> of, Stop contact, bool isOfFamilies)
         : contact_(contact)
     {
-        atlas.forEachFound(of, [this](const AtlasEntry& entry) { add(entry); });
-        if (pressing.x.empty() && grazing.x.empty()) {
+        const auto show = [this](const AtlasEntry& entry) { add(entry); };
+        // Of one contact families leave nothing undecided.
+        isOfFamilies ? atlas.forEachFound(of, show) : atlas.forEachSchedule(of, show);
+        if (flightTime == 0.0) {
             contactTime = 2.0;  // the usual range
             flightTime = longestFlight;
         }
@@ -52,12 +55,13 @@ struct Map {
         const double dot = std::clamp(60.0 / cells, 0.18, 1.0);
         pressing.size = 1.25 * dot;
         grazing.size = 0.75 * dot;
+        undecided.size = dot;
     }
 
 private:
     void add(const AtlasEntry& entry)
     {
-        if (entry.schedule.phases.size() != 1 ||
+        if (entry.schedule.phases.size() != 1 || entry.row.status == Status::none ||
             (entry.isOfBars && entry.schedule.phases.front().stop != contact_)) {
             return;
         }
@@ -71,13 +75,17 @@ private:
         contactTime = std::max(contactTime, contact);
         flightTime = std::max(flightTime, flight);
         cells = std::max(cells, size);
+        if (entry.row.status == Status::undecided) {
+            undecided.add(flight, contact);
+            return;
+        }
         if (entry.row.contact != Contact::pressing) {
             grazing.add(flight, contact);
             return;
         }
         pressing.add(flight, contact);
         pressing.z.push_back(entry.row.energy.least);
-        if (entry.isOfBars) {
+        if (!entry.family) {
             return;
         }
         const std::optional<TentPlace> place = familyOf(entry.schedule);
@@ -93,7 +101,8 @@ private:
 /// contact of bars in a row.
 struct Maps {
     std::vector<Map> all;
-    bool areOfBars = false;
+    bool areOfFamilies = false;
+    std::string caption;
     double contactTime = 0.0;  ///< [L/c], longest drawn
     double flightTime = 0.0;   ///< [L/c], longest drawn
     Axis energy{.label = "least energy  E_{min}/E_1", .isLogarithmic = true};
@@ -102,16 +111,17 @@ struct Maps {
     {
         const std::vector<AtlasRun> runs = atlas.runs();
         const std::optional<Assembly> bars = barsOf(runs);
-        areOfBars = bars.has_value();
+        areOfFamilies = hasFamilies(runs);
+        caption = captionOf(runs, cells);
         const std::int64_t count = bars ? contactsOf(runs.front().range) : 1;
-        const bool isRatio = !bars || firstEnergy(networkOf(*bars));
+        const bool isRatio = unitsOf(runs, {}).isRatio;
         if (!isRatio) {
             energy.label = "least energy  E_{min}  [J]";
         }
         double lowest = isRatio ? 1.0 : infinity;
         double highest = isRatio ? 10.0 : 0.0;
         for (std::int64_t k = 0; k < count; ++k) {
-            const Map& map = all.emplace_back(atlas, cells, static_cast<Stop>(k));
+            const Map& map = all.emplace_back(atlas, cells, static_cast<Stop>(k), areOfFamilies);
             contactTime = std::max(contactTime, map.contactTime);
             flightTime = std::max(flightTime, map.flightTime);
             for (const double least : map.pressing.z) {
@@ -134,7 +144,10 @@ struct Maps {
         }
         if (shows(&Map::pressing)) {
             panel.explain(dots(Role::shade2),
-                          areOfBars ? "pressing" : "pressing: tents of families (w, ν, k)");
+                          areOfFamilies ? "pressing: tents of families (w, ν, k)" : "pressing");
+        }
+        if (shows(&Map::undecided)) {
+            panel.explain(dots(Role::ink, 1.0, Marker::cross), "undecided");
         }
     }
 };
@@ -167,51 +180,47 @@ void addNames(Panel& panel, std::span<const Family> tents)
 
 }  // namespace
 
-FigureData frequencyEnergyFigure(const AtlasDatabase& atlas, std::optional<std::int64_t> cells,
-                                 const FrequencyEnergyOptions& options)
+std::string captionOf(const std::vector<AtlasRun>& runs, std::optional<std::int64_t> cells)
 {
-    if (barsOf(atlas.runs())) {
-        throw std::invalid_argument(
-            "the frequency-energy plot: allowed for the atlas of one bar, whose families it shows");
+    constexpr std::size_t longest = 60;  ///< words of a scene
+    if (hasFamilies(runs)) {
+        return {};
     }
-    std::set<std::array<std::int64_t, 3>> seen;  // on several grids, each once
-    std::vector<Family> onGrid;
-    std::vector<EnergyBar> bars;
-    const auto addBar = [&bars](const auto& row, const EnergyRange& energy, Contact contact) {
-        bars.push_back({.frequencyRatio = frequencyRatio(row),
-                        .least = energy.least,
-                        .most = energy.most,
-                        .contact = contact});
-    };
-    atlas.forEachFamily(cells, [&](const AtlasFamily& all) {
-        if (!all.family) {
-            addBar(all, all.energy, Contact::grazing);
-        } else if (seen.insert({all.family->order, all.family->blocks, all.family->contactBlocks})
-                       .second) {
-            onGrid.push_back(*all.family);
-        }
-    });
-    atlas.forEachFound(
-        cells, [&](const AtlasEntry& entry) { addBar(entry, entry.row.energy, entry.row.contact); },
-        AtlasSchedules::withoutFamily);
-    const std::vector<Mode> modes = findModes();
-    const std::vector<Family> families = findFamilies(options.maxOrder);
-    return frequencyEnergyFigure(
-        {.modes = modes, .families = families, .onGrid = onGrid, .bars = bars}, options);
+    const AtlasRange& range = runs.front().range;
+    std::string scene =
+        range.bars ? textOf(range.bars->parts) : fmt::format("segments {}", sceneText(range));
+    if (scene.size() > longest) {
+        scene = scene.substr(0, longest) + "…";
+    }
+    if (range.gapSign < 0) {
+        scene += ",  pressed at rest";
+    }
+    if (range.bars && range.bars->gravity != 0.0) {
+        scene += fmt::format(",  gravity {:.4g} m/s²", range.bars->gravity);
+    }
+    return fmt::format("{},  N = {}", scene, cells.value_or(range.cells));
+}
+
+answers::AtlasUnits unitsOf(const std::vector<AtlasRun>& runs, const Bar& bar)
+{
+    const std::optional<Assembly> bars = barsOf(runs);
+    return bars ? answers::atlasUnitsOf(*bars) : answers::atlasUnitsOf(bar);
 }
 
 FigureData existenceFigure(const AtlasDatabase& atlas, std::optional<std::int64_t> cells)
 {
-    constexpr double above = 1.5;  // [cm], for the legend
     constexpr double below = 1.7;  // [cm], for the axis of each
     Maps maps(atlas, cells);
+    const double above = maps.caption.empty() ? 1.5 : 2.3;  // [cm], for legend and caption
     // Both times to one scale, so that lines of equal period run at 45 degrees, where there is
     // room.
     constexpr double lowest = 3.5;  // [cm], for the numbers of an axis
     const double toScale = plotWidth * maps.contactTime / maps.flightTime;
     const double height = std::clamp(toScale, lowest, plotWidth);
     const auto count = static_cast<double>(maps.all.size());
-    FigureData figure{.width = plotWidth + 5.0, .height = count * (height + below) + above};
+    FigureData figure{.width = plotWidth + 5.0,
+                      .height = count * (height + below) + above,
+                      .title = maps.caption};
     const double right = (1.8 + plotWidth) / figure.width;
     double top = figure.height - above;
     bool hasColours = false;
@@ -240,6 +249,7 @@ FigureData existenceFigure(const AtlasDatabase& atlas, std::optional<std::int64_
         }
         panel.add(std::move(map.grazing));
         panel.add(std::move(map.pressing));
+        panel.add(std::move(map.undecided));
         addNames(panel, map.tents);
     }
     return figure;

@@ -112,6 +112,29 @@ plot::Axis axisAround(const std::vector<plot::Series>& series, const std::string
     return {.label = label, .low = isFromZero ? 0.0 : low - room, .high = high + room};
 }
 
+std::vector<plot::Tick> roundTicks(double low, double high, std::initializer_list<double> digits)
+{
+    std::vector<plot::Tick> ticks;
+    for (double power = std::pow(10.0, std::floor(std::log10(low))); power <= high; power *= 10.0) {
+        for (const double digit : digits) {
+            if (digit * power >= low && digit * power <= high) {
+                ticks.push_back({digit * power, fmt::format("{:g}", digit * power)});
+            }
+        }
+    }
+    return ticks;
+}
+
+plot::Axis energyAxis(const std::string& label, double low, double high)
+{
+    constexpr double fewDecades = 1500.0;
+    plot::Axis axis{.label = label, .low = low, .high = high, .isLogarithmic = true};
+    if (high < fewDecades * low) {
+        axis.ticks = roundTicks(low, high, {1.0, 2.0, 5.0});
+    }
+    return axis;
+}
+
 plot::Axis bare(plot::Axis axis)
 {
     axis.label.clear();
@@ -136,6 +159,14 @@ plot::Axis hertzAxis(double low, double high, double first)
         axis.other = plot::OtherSide{.label = "ω/ω_1", .factor = 1.0 / first};
     }
     return axis;
+}
+
+plot::Series contactDots(std::size_t contact, double size)
+{
+    using namespace plot;
+    constexpr std::array roles{Role::contact, Role::strain, Role::velocity, Role::ink};
+    constexpr std::array markers{Marker::disc, Marker::square, Marker::triangle, Marker::diamond};
+    return dots(roles.at(contact % roles.size()), size, markers.at(contact % markers.size()));
 }
 
 }  // namespace signorini

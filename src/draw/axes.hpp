@@ -2,6 +2,8 @@
 /// \file
 /// Axes for people: engineering units and round steps.
 
+#include <cstddef>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -44,6 +46,13 @@ struct Unit {
 [[nodiscard]] plot::Axis axisAround(const std::vector<plot::Series>& series,
                                     const std::string& label, bool isFromZero = false);
 
+/// Ticks of a logarithmic axis: `digits` times each power of ten, from low > 0 to high.
+[[nodiscard]] std::vector<plot::Tick> roundTicks(double low, double high,
+                                                 std::initializer_list<double> digits);
+
+/// Energies on a logarithmic axis, with few decades as 1, 2, 5, 10.
+[[nodiscard]] plot::Axis energyAxis(const std::string& label, double low, double high);
+
 /// The same axis without words and numbers, beside a panel that has them.
 [[nodiscard]] plot::Axis bare(plot::Axis axis);
 
@@ -52,5 +61,8 @@ struct Unit {
                                        const Bar& bar);
 /// The same in Hz, above it ratios, where bars vibrate: first > 0.
 [[nodiscard]] plot::Axis hertzAxis(double low, double high, double first);
+
+/// Dots of a contact, 0 the first: one look for each; with many they repeat.
+[[nodiscard]] plot::Series contactDots(std::size_t contact, double size);
 
 }  // namespace signorini

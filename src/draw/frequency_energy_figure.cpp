@@ -79,8 +79,9 @@ double frequencyAt(const ExactPeriod& period)
 void validate(std::span<const EnergyBar> bars, const FrequencyEnergyOptions& options)
 {
     Faults faults;
-    if (!(std::isfinite(options.maxEnergyRatio) && options.maxEnergyRatio > 1.0)) {
-        faults.add("maxEnergyRatio", options.maxEnergyRatio, "finite and > 1 [E_1]");
+    const double top = topOf(options);
+    if (!(std::isfinite(top) && top > 1.0)) {
+        faults.add("maxEnergyRatio", top, "finite and > 1 [E_1]");
     }
     if (options.maxFrequencyRatio) {
         faults.requirePositive("maxFrequencyRatio", *options.maxFrequencyRatio, "-");
@@ -101,10 +102,10 @@ void validate(std::span<const EnergyBar> bars, const FrequencyEnergyOptions& opt
 struct Extent {
     double left = 0.9;
     double right = 1.5;
-    double top = 50.0;
+    double top = 0.0;
 
     Extent(const FrequencyEnergyPlot& plot, const FrequencyEnergyOptions& options)
-        : top(options.maxEnergyRatio)
+        : top(topOf(options))
     {
         double last = 1.4;
         for (const Mode& mode : plot.modes) {
@@ -243,15 +244,7 @@ private:
         Panel panel{.name = name, .place = place};
         panel.x = isDetail ? frequencyAxis("frequency", left, right, options_.bar)
                            : Axis{.low = left, .high = right};
-        panel.y = {.label = "energy  E/E_1",
-                   .low = lowestEnergy,
-                   .high = frame_.top,
-                   .isLogarithmic = true};
-        for (double power = 1.0; power <= frame_.top && frame_.top < 1000.0; power *= 10.0) {
-            for (const double digit : {1.0, 2.0, 5.0}) {
-                panel.y.ticks.push_back({digit * power, fmt::format("{:g}", digit * power)});
-            }
-        }
+        panel.y = energyAxis("energy  E/E_1", lowestEnergy, frame_.top);
         panel.series = series_;
         panel.add(namesIn(panel, isDetail));
         return panel;

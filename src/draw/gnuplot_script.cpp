@@ -84,17 +84,17 @@ private:
 
     void axis(const char* side, const Axis& axis)
     {
-        print(
-            script_,
-            "unset logscale {0}\nunset link {0}2\nset {0}range [{1}:{2}] noextend\n{3}set {0}label "
-            "{4}{5}\n"
-            "set format {0} {6}\n",
-            side, limit(axis.low), limit(axis.high),
-            axis.isLogarithmic ? fmt::format("set logscale {}\n", side) : "", quoted(axis.label),
-            *side == 'x' ? " offset 0,0.3" : "",
-            !axis.hasNumbers ? "''"
-            : isWide(axis)   ? "'10^{%L}'"
-                             : "'%g'");
+        print(script_,
+              "unset logscale {0}\nunset link {0}2\nunset logscale {0}2\nset {0}range [{1}:{2}] "
+              "noextend\n{3}set {0}label "
+              "{4}{5}\n"
+              "set format {0} {6}\n",
+              side, limit(axis.low), limit(axis.high),
+              axis.isLogarithmic ? fmt::format("set logscale {}\n", side) : "", quoted(axis.label),
+              *side == 'x' ? " offset 0,0.3" : "",
+              !axis.hasNumbers ? "''"
+              : isWide(axis)   ? "'10^{%L}'"
+                               : "'%g'");
         if (!panel_.isFramed) {
             print(script_, "unset {0}tics\nunset {0}2tics\nunset {0}2label\n", side);
             return;
@@ -107,15 +107,22 @@ private:
         const OtherSide& other = *axis.other;
         const double span = (*axis.high - *axis.low) * other.factor;
         const std::string inverse = fmt::format("{:.17g}/{}", other.factor, side);
+        // Of a logarithmic axis, which cannot be linked, it is an axis of its own.
+        const std::string own =
+            fmt::format("set {0}2range [{1:.17g}:{2:.17g}] noextend\nset logscale {0}2", side,
+                        *axis.low * other.factor, *axis.high * other.factor);
+        const std::string linked =
+            fmt::format("set link {}2 via {} inverse {}", side,
+                        other.isInverse ? inverse : fmt::format("{}*{:.17g}", side, other.factor),
+                        other.isInverse ? inverse : fmt::format("{}/{:.17g}", side, other.factor));
         std::string ticks;
         for (const double tick : other.ticks) {
             ticks += fmt::format("{}{}", ticks.empty() ? "(" : ", ", tick);
         }
         print(script_,
-              "set link {0}2 via {1} inverse {2}\nset {0}2tics out nomirror scale 0.6 {3}\n"
-              "set {0}2label {4}{5}\nset format {0}2 '%g'\n",
-              side, other.isInverse ? inverse : fmt::format("{}*{:.17g}", side, other.factor),
-              other.isInverse ? inverse : fmt::format("{}/{:.17g}", side, other.factor),
+              "{1}\nset {0}2tics out nomirror scale 0.6 {2}\n"
+              "set {0}2label {3}{4}\nset format {0}2 '%g'\n",
+              side, axis.isLogarithmic && !other.isInverse ? own : linked,
               !ticks.empty()    ? ticks + ")"
               : other.isInverse ? "autofreq"
                                 : fmt::format("{:.17g}", niceStep(span / 5.0)),

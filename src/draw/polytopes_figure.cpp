@@ -115,8 +115,9 @@ FigureData polytopesFigure(std::span<const ModePolytope> polytopes,
     if (polytopes.empty()) {
         throw std::invalid_argument("figure: the list holds no motion to draw");
     }
-    if (!(options.maxEnergyRatio > 1.0)) {
-        throwFault("maxEnergyRatio", options.maxEnergyRatio, "> 1");
+    const double top = topOf(options);
+    if (!(top > 1.0)) {
+        throwFault("maxEnergyRatio", top, "> 1");
     }
     const auto phases = static_cast<double>(polytopes.front().chains.size());
     double low = std::numeric_limits<double>::infinity();
@@ -139,10 +140,7 @@ FigureData polytopesFigure(std::span<const ModePolytope> polytopes,
                 .legend = Legend::below,
                 .legendRows = 2};
     below.x = frequencyAxis("frequency", std::min(0.93 * 4.0 / high, 0.96), right, options.bar);
-    below.y = {.label = "energy  E/E_1",
-               .low = 1.0,
-               .high = options.maxEnergyRatio,
-               .isLogarithmic = true};
+    below.y = {.label = "energy  E/E_1", .low = 1.0, .high = top, .isLogarithmic = true};
     Curves free = curvesOf(polytopes, false, {.role = Role::strain, .width = 1.0});
     Curves alone = curvesOf(polytopes, true, {.role = Role::contact, .width = 0.8});
     if (!free.least.x.empty()) {
@@ -160,7 +158,7 @@ FigureData polytopesFigure(std::span<const ModePolytope> polytopes,
     above.add(std::move(free.most));
     above.add(std::move(alone.least));
     above.add(labelsOf(polytopes, high - low));
-    addModes(below, phases, options.maxEnergyRatio);
+    addModes(below, phases, top);
     below.add(std::move(free.energy));
     below.add(std::move(alone.energy));
     figure.panels = {std::move(above), std::move(below)};

@@ -33,13 +33,8 @@ struct ContactDots {
     Series impulse;
 
     ContactDots(std::size_t contact, double size)
+        : force(contactDots(contact, size)), impulse(force)
     {
-        // One look for one contact; with many they repeat.
-        constexpr std::array roles{Role::contact, Role::strain, Role::velocity, Role::ink};
-        constexpr std::array markers{Marker::disc, Marker::square, Marker::triangle,
-                                     Marker::diamond};
-        force = dots(roles.at(contact % roles.size()), size, markers.at(contact % markers.size()));
-        impulse = force;
     }
 };
 

@@ -275,6 +275,16 @@ std::optional<Assembly> barsOf(const std::vector<AtlasRun>& runs)
     return runs.empty() ? std::nullopt : runs.front().range.bars;
 }
 
+bool hasFamilies(const AtlasRange& range)
+{
+    return range.segments.empty() && !range.bars;
+}
+
+bool hasFamilies(const std::vector<AtlasRun>& runs)
+{
+    return runs.empty() || hasFamilies(runs.front().range);
+}
+
 AtlasRun AtlasDatabase::start(const AtlasRange& range, std::string_view options)
 {
     validate(range);

@@ -382,6 +382,11 @@ TEST_CASE("cli atlas: the frequency-energy plot and the existence map")
     REQUIRE(drawn.status == 0);
     CHECK(drawn.out.empty());
     CHECK(program.run("atlas --database a.sqlite --cells 13 --resume").status == 0);
+    // A database knows its stops.
+    REQUIRE(program.run("atlas --database p.sqlite --cells 4 --gap -1e-4").status == 0);
+    const auto pressed = program.run("atlas --database p.sqlite --figure p.svg");
+    CHECK(pressed.status == 2);
+    CHECK_THAT(pressed.err, containsText("allowed with a gap > 0 and one stop"));
     // Trouble with a picture is found before the work, and not blamed on the database.
     const auto nowhere = program.run("atlas --database b.sqlite --cells 12 --figure no/x.svg");
     CHECK(nowhere.status == 4);
@@ -432,7 +437,13 @@ TEST_CASE("cli atlas: bars in a row are asked in their own units, which the data
     refuses("--period 2 --length 2", "those of the database");
     refuses("--scene 'clamp 3 gap=1e-3 5 clamp'", "ranges of other bars");
     refuses(bars + " --families-only", "for bars in a row");
-    refuses(bars + " --figure f.svg", "--figure");
+    REQUIRE(program.run("atlas --database a.sqlite --figure f.svg").status == 0);
+    CHECK_THAT(contentOf(program.file("f.svg")),
+               containsText("clamp 3 gap=0.001 4 clamp") && containsText("pressing"));
+    REQUIRE(
+        program.run("atlas --database a.sqlite --near 1 3 --within 0.01 --figure g.svg").status ==
+        0);
+    CHECK(contentOf(program.file("g.svg")) == contentOf(program.file("f.svg")));
     REQUIRE(program
                 .run("atlas --scene 'free 2 gap=1e-3 3 clamp' --database d.sqlite --max-contact 2 "
                      "--max-free 9")

@@ -120,7 +120,6 @@ TEST_CASE("cli stepped: a call that cannot be meant is refused by name")
     refuses("find 3 25 --segments 4:1,4:1.3:2 --motion m.pvd", "several speeds");
     refuses("find --frequency 8/7 --segments 4:1,4:1.3 --formulation state", "--formulation");
     refuses("simulate --segments 4:1,4:1.3:1:-1 --time 1", "dashpot of segment 2");
-    refuses("atlas --database a.sqlite --segments 4:1,4:1.3 --figure f.svg", "--figure");
     refuses("atlas --database a.sqlite --segments 4:1,4:1.3 --cells 9",
             "cells of all segments = 8");
     refuses("atlas --database a.sqlite --segments 4:1,4:1.3 --families-only",
@@ -130,6 +129,19 @@ TEST_CASE("cli stepped: a call that cannot be meant is refused by name")
     refuses(response + "4:1,4:1.3 --cells 9", "cells of all segments = 8");
     refuses(response + "4:1,4:1.3 --backbone-csv b.csv", "--backbone-csv");
     CHECK(program.files() == 0);
+}
+
+TEST_CASE("cli stepped: an atlas of segments is drawn")
+{
+    const CommandLine program;
+    const auto made = program.run(
+        "atlas --database a.sqlite --segments 4:1,4:1.3 --max-contact 4 --max-free 30 "
+        "--figure f.svg");
+    INFO(made.err);
+    REQUIRE(made.status == 0);
+    CHECK_THAT(contentOf(program.file("f.svg")),
+               containsText("segments 4:1:1:0,4:1.3:1:0") && containsText("least energy") &&
+                   containsText("pressing") && !containsText("families"));
 }
 
 TEST_CASE("cli stepped: a motion that was found goes on for ten periods when it is followed",
