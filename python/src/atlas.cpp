@@ -46,6 +46,7 @@ struct Atlas {
 
 using SharedAtlas = std::shared_ptr<Atlas>;
 using Cells = std::optional<std::int64_t>;
+using End = std::optional<double>;  ///< of an axis
 
 /// A question to the database, asked in a thread of its own.
 template <typename Result, typename... Given>
@@ -90,6 +91,9 @@ void addAtlasFile(py::module_& module)
     addQuestion(
         shown, "runs", {}, +[](const Atlas& a, const Wires&) { return a.database.runs(); });
     addQuestion(
+        shown, "has_families", {},
+        +[](const Atlas& a, const Wires&) { return hasFamilies(a.database.runs()); });
+    addQuestion(
         shown, "families", {"cells"}, +[](const Atlas& a, const Wires& wires, Cells cells) {
             return allRows<FamilyOf, AtlasFamily>(
                 wires, a.units, [&](const auto& keep) { a.database.forEachFamily(cells, keep); });
@@ -101,7 +105,7 @@ void addAtlasFile(py::module_& module)
         });
     addQuestion(
         shown, "frequency_energy_figure", {"cells", "left", "right", "top", "max_order"},
-        +[](const Atlas& a, const Wires&, Cells cells, double left, double right, double top,
+        +[](const Atlas& a, const Wires&, Cells cells, End left, End right, End top,
             std::int64_t order) {
             return asJson(frequencyEnergyFigure(a.database, cells,
                                                 {.maxFrequencyRatio = right,

@@ -52,6 +52,17 @@ def test_atlases_of_segments_and_of_bars_with_weight(tmp_path: Path) -> None:
     assert "contact 2" in axes.get_ylabel()
     with pytest.raises(ValueError, match="contact = 3 is out of range"):
         sg.plot.existence_map(two, contact=3)
+    axes = sg.plot.frequency_energy(two)
+    contacts = {row.spans[0]["closed"][0] for row in two.schedules() if row.spans}
+    assert [text.get_text() for text in axes.get_legend().get_texts()] == [
+        f"contact {contact} presses" for contact in sorted(contacts)]
+    seen = {round(x, 9) for line in axes.get_lines() for x in line.get_xdata()}
+    assert seen == {round(row.frequency_ratio or 0.0, 9) for row in two.schedules()}
+    axes = sg.plot.frequency_energy(stepped, data=[(9.0, 20.0)])
+    assert axes.get_xlim()[1] > 9.0
+    axes = sg.plot.frequency_energy(stepped, max_frequency_ratio=1.2, max_energy_ratio=9)
+    assert axes.get_xlim()[1] == pytest.approx(1.2)
+    assert axes.get_ylim()[1] == pytest.approx(9)
     with pytest.raises(ValueError, match="cells: allowed only without a scene"):
         sg.Atlas.build(tmp_path / "d.sqlite", scene=BARS, cells=9)
     heavy = sg.Atlas.build(tmp_path / "c.sqlite", cells=4, gravity=1e-4, max_contact=3,

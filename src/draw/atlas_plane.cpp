@@ -37,7 +37,8 @@ public:
         const std::int64_t count = contactsOf(runs_.front().range);
         for (std::int64_t k = 0; k < count; ++k) {
             // Those on top are smaller, so that both are seen.
-            const double size = dotSize * std::max(std::pow(0.55, static_cast<double>(k)), 0.35);
+            const double largest = count == 1 ? 0.8 : 1.2;
+            const double size = largest * std::max(std::pow(0.6, static_cast<double>(k)), 0.35);
             pressing_.push_back(
                 contactDots(static_cast<std::size_t>(k), size)
                     .named(count == 1 ? "pressing" : fmt::format("contact {} presses", k + 1)));
@@ -78,7 +79,6 @@ public:
     }
 
 private:
-    static constexpr double dotSize = 1.3;
     /// Dots nearer than this, relative, are one.
     static constexpr double nearest = 5e-4;
 
@@ -204,10 +204,9 @@ private:
     const FrequencyEnergyOptions& options_;
     std::string caption_;
     std::vector<Series> pressing_;  ///< one for each contact
-    Series several_ =
-        dots(Role::ink, 1.2 * dotSize, Marker::ring).named("several contacts in a period");
-    Series grazing_ = dots(Role::faint, 0.5 * dotSize).named("grazing: contact without force");
-    Series fromZero_ = dots(Role::faint, dotSize, Marker::openDiamond)
+    Series several_ = dots(Role::ink, 1.4, Marker::ring).named("several contacts in a period");
+    Series grazing_ = dots(Role::faint, 0.65).named("grazing: contact without force");
+    Series fromZero_ = dots(Role::faint, 1.0, Marker::openDiamond)
                            .named("motions from E = 0 on, at the lower edge");
     std::set<std::tuple<const Series*, std::int64_t, std::int64_t>> seen_;
     std::int64_t undecided_ = 0;

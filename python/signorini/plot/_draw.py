@@ -176,8 +176,9 @@ def _axis(axes: Any, side: str, axis: dict[str, Any]) -> None:
                   else axes.secondary_yaxis("right", functions=there))
         second.set(**{f"{side}label": markup(other["label"])})
         if other["ticks"]:
-            getattr(second, f"{side}axis").set_ticks(
-                other["ticks"], [f"{tick:g}" for tick in other["ticks"]])
+            ruler = getattr(second, f"{side}axis")
+            ruler.set_ticks(other["ticks"], [f"{tick:g}" for tick in other["ticks"]])
+            ruler.set_ticks([], minor=True)
 
 
 def draw_panel(axes: Any, panel: dict[str, Any], places: bool) -> None:

@@ -17,8 +17,9 @@ from ._style import NothingToDraw, colours
 
 @asks("figure")
 def frequency_energy(atlas: Atlas | None = None, *,
-                     max_energy_ratio: float = 50.0,
-                     max_frequency_ratio: float = 1.3, max_order: int = 60,
+                     max_energy_ratio: float | None = None,
+                     max_frequency_ratio: float | None = None,
+                     max_order: int = 60,
                      cells: int | None = None,
                      data: Iterable[tuple[float, float]] | None = None,
                      data_label: str = "data", axes: Any = None,
@@ -27,17 +28,20 @@ def frequency_energy(atlas: Atlas | None = None, *,
 
     Exact modes as curves, families as half-lines from their least energy
     upwards, the lower their order the bolder; of an atlas, the families on
-    its grid as dots, and sets of several contacts as strokes.
+    its grid as dots, and sets of several contacts as strokes. An atlas of
+    segments or of bars in a row has no families: a dot for each schedule that
+    has motions, at their least energy, and no modes.
 
     Parameters
     ----------
     atlas : Atlas, optional
         To draw besides what exists on no grid.
-    max_energy_ratio : float
-        Top, E/E_1.
-    max_frequency_ratio : float
-        Right end, omega/omega_1; further if there are data. Families crowd
-        below 1.3, the last mode below 50 E_1 begins at 7.
+    max_energy_ratio : float, optional
+        Top, E/E_1: 50, or without families that of all schedules.
+    max_frequency_ratio : float, optional
+        Right end, omega/omega_1: 1.3, or without families that of all
+        schedules; further if there are data. Families crowd below 1.3, the
+        last mode below 50 E_1 begins at 7.
     max_order : int
         Of families.
     cells : int, optional
@@ -52,16 +56,22 @@ def frequency_energy(atlas: Atlas | None = None, *,
     axes
     """
     points = np.array(list(data or ()), dtype=float).reshape(-1, 2)
-    right = max([max_frequency_ratio, *(1.05 * points[:, 0])])
-    where = 1.0 - 0.04 * (right - 1.0), right, max_energy_ratio
-    axes = draw(
-        _core.frequency_energy_figure(max_order, *where) if atlas is None else
-        atlas._file.frequency_energy_figure(cells, *where, max_order),
-        ("energy",), axes, figure)["energy"]
+    if atlas is None or atlas._file.has_families():
+        right = max([1.3 if max_frequency_ratio is None else max_frequency_ratio,
+                     *(1.05 * points[:, 0])])
+        top = 50.0 if max_energy_ratio is None else max_energy_ratio
+        where = 1.0 - 0.04 * (right - 1.0), right, top
+        told = (_core.frequency_energy_figure(max_order, *where) if atlas is None else
+                atlas._file.frequency_energy_figure(cells, *where, max_order))
+    else:
+        told = atlas._file.frequency_energy_figure(
+            cells, None, max_frequency_ratio, max_energy_ratio, max_order)
+    axes = draw(told, ("energy",), axes, figure)["energy"]
     if len(points):
         axes.plot(points[:, 0], points[:, 1], "D", color=colours["velocity"],
                   mec=colours["ink"], ms=7, zorder=10, label=data_label)
         axes.legend(loc="lower right", fontsize="small")
+        axes.set_xlim(right=max(axes.get_xlim()[1], *(1.05 * points[:, 0])))
     return axes
 
 
@@ -124,7 +134,8 @@ def existence_map(atlas: Atlas, *, cells: int | None = None, contact: int = 1,
     """Draw where in time motions with one contact exist.
 
     A dot at (t_f, t_c) for each schedule that an atlas keeps, coloured by its
-    least energy; grazing ones grey. Those of one family are a line, its tent.
+    least energy; grazing ones grey, undecided ones crosses. Those of one
+    family are a line, its tent.
 
     Parameters
     ----------
