@@ -105,4 +105,29 @@ inline State SteppedWaves::state() const
     return state;
 }
 
+/// A uniform bar, step by step: values are moved and negated, and nothing is rounded.
+class UniformWaves : private SteppedWaves {
+public:
+    explicit UniformWaves(const State& start)
+        : SteppedWaves({{{.cells = start.cells()}}, {}, start.cells()}, start)
+    {
+    }
+
+    using SteppedWaves::arriving;
+    using SteppedWaves::state;
+
+    void contact(std::int64_t count = 1)
+    {
+        for (; count > 0; --count) {
+            step({.reflected = -1.0});
+        }
+    }
+    void free(std::int64_t count = 1)
+    {
+        for (; count > 0; --count) {
+            step({.reflected = 1.0});
+        }
+    }
+};
+
 }  // namespace signorini::test

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "arrivals.hpp"
 #include "contact_spans.hpp"
 #include "faults.hpp"
 #include "near_schedule.hpp"
-#include "propagation.hpp"
 #include "stepped_bar.hpp"
 
 namespace signorini::answers {

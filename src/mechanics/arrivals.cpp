@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "propagation.hpp"
+#include "echo.hpp"
+#include "faults.hpp"
 
 namespace signorini {
 
@@ -62,7 +63,11 @@ std::pair<Arrivals, Arrivals> Arrivals::halves() const
 
 Echo::Echo(const State& state) : state_(&state), cells_(state.cells()), runs_{{false, 2 * cells_}}
 {
-    requireWaves(state);
+    if (state.a.size() != state.b.size() || state.a.size() == 0) {
+        throw std::invalid_argument(
+            fmt::format("state: a has {} cells and b {}: allowed two arrays of equal length >= 1",
+                        state.a.size(), state.b.size()));
+    }
 }
 
 Echo::Slots Echo::slotsAt(std::int64_t m, std::int64_t most) const
@@ -120,6 +125,14 @@ double Echo::distance(bool toMirrored) const
         }
     }
     return largest;
+}
+
+Schedule foldedFor(const State& state, Schedule schedule)
+{
+    validate(schedule);
+    requireCells(state, schedule.cells);
+    fold(schedule);
+    return schedule;
 }
 
 }  // namespace signorini

@@ -1,6 +1,9 @@
 #pragma once
 /// \file
-/// The bar as the tip sees it, without a copy of its state.
+/// The bar as the tip sees it, without a copy of its state. Inside the bar a moves one cell right
+/// and b one cell left; at the clamp a'_1 = -b_1; at the tip b'_N = -a_N in contact (DD, equation
+/// (19)) and b'_N = +a_N in free flight (DN, equation (17)). Values are moved and negated, never
+/// added: propagation is exact in floating point.
 ///
 /// In 2N steps every value of the state arrives at the tip once; in the next 2N it arrives again,
 /// negated if its last step was free. So what arrives is the state with signs, and the signs come
@@ -83,6 +86,10 @@ private:
     std::int64_t head_ = 0;
     std::deque<Run> runs_;
 };
+
+/// The schedule folded, for a state that fits it. \throws std::invalid_argument on an invalid
+/// schedule or a state with other cells.
+[[nodiscard]] Schedule foldedFor(const State& state, Schedule schedule);
 
 /// Arrivals are looked at in pieces of this many: they stay in the nearest cache.
 inline constexpr std::int64_t pieceSize = 1024;

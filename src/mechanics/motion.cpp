@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "arrivals.hpp"
 #include "compensated_sum.hpp"
 #include "contact_spans.hpp"
+#include "echo.hpp"
 #include "faults.hpp"
-#include "propagation.hpp"
 #include "signorini/simulation.hpp"
 #include "stepped_bar.hpp"
 

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <cstddef>
 
+#include "arrivals.hpp"
+#include "echo.hpp"
 #include "faults.hpp"
-#include "propagation.hpp"
+#include "stops.hpp"
 
 namespace signorini {
 
@@ -23,6 +25,25 @@ struct Arrival {
         return startsContact != other.startsContact ? startsContact : p > other.p;
     }
 };
+
+/// Calls visit(p_m, sign of a push) for every step of one period: 1 at the wall, -1 at the second
+/// stop, 0 in flight. O(n).
+template <typename Visit>
+void forEachStep(const State& state, const Schedule& schedule, Visit visit)
+{
+    Echo echo(state);
+    const auto walk = [&](std::int64_t count, bool isContact, int push) {
+        forEachPiece(echo, count, isContact, [&](const Arrivals& next) {
+            for (std::int64_t k = 0; k < next.count(); ++k) {
+                visit(next.at(k), push);
+            }
+        });
+    };
+    for (const Phase& phase : schedule.phases) {
+        walk(phase.contact, true, pushSign(phase.stop));
+        walk(phase.free, false, 0);
+    }
+}
 
 std::vector<Arrival> ringOf(const State& state, const Schedule& folded)
 {

@@ -3,7 +3,6 @@
 
 #include "arrivals.hpp"
 #include "faults.hpp"
-#include "propagation.hpp"
 #include "signorini/motion.hpp"
 #include "stops.hpp"
 

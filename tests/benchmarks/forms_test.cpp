@@ -4,11 +4,11 @@
 
 #include "catch.hpp"
 #include "program.hpp"
-#include "propagation.hpp"
 #include "signorini/lumped_set.hpp"
 #include "signorini/one_phase_set.hpp"
 #include "signorini/verification.hpp"
 #include "solver.hpp"
+#include "stepped_waves.hpp"
 #include "support.hpp"
 
 using namespace signorini;
@@ -27,10 +27,10 @@ Eigen::VectorXd pointOf(const Formulated& formulated, const State& state)
     for (const Phase& phase : formulated.schedule.phases) {
         chained -= phase.free;
     }
-    DelayLine line(state);
+    test::UniformWaves line(state);
     std::size_t m = 0;
     const auto read = [&] {
-        const double p = line.incoming();
+        const double p = line.arriving();
         const DelayTerm& term = formulated.delay[m++];
         if (term.factor != 0.0) {
             x[term.column] = p / term.factor;
@@ -41,12 +41,12 @@ Eigen::VectorXd pointOf(const Formulated& formulated, const State& state)
     for (const Phase& phase : formulated.schedule.phases) {
         for (std::int64_t step = 0; step < phase.contact; ++step) {
             read();
-            line.contactStep();
+            line.contact();
         }
         double prefix = 0.0;
         for (std::int64_t step = 0; step < phase.free; ++step) {
             prefix += read();
-            line.freeStep();
+            line.free();
             if (hasPrefixes) {
                 x[chained++] = prefix;
             }

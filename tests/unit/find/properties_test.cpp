@@ -6,9 +6,9 @@
 
 #include "catch.hpp"
 #include "equations.hpp"
-#include "propagation.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/one_phase_set.hpp"
+#include "stepped_waves.hpp"
 #include "support.hpp"
 
 using namespace signorini;
@@ -83,7 +83,7 @@ TEST_CASE("property: energy is conserved by every step")
     CHECK(rc::check([] {
         const Schedule schedule = anySchedule(40);
         const State start = test::randomState(schedule.cells, *rc::gen::arbitrary<unsigned>());
-        DelayLine line(start);
+        test::UniformWaves line(start);
         line.contact(schedule.phases[0].contact);
         RC_ASSERT(close(energyRatio(line.state()), energyRatio(start), 1e-14));
         line.free(schedule.phases[0].free);

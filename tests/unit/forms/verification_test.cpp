@@ -6,10 +6,10 @@
 #include "arrivals.hpp"
 #include "catch.hpp"
 #include "equations.hpp"
-#include "propagation.hpp"
 #include "signorini/demands.hpp"
 #include "signorini/lumped_set.hpp"
 #include "signorini/one_phase_set.hpp"
+#include "stepped_waves.hpp"
 #include "support.hpp"
 
 using namespace signorini;
@@ -97,7 +97,7 @@ TEST_CASE("verification: the canonical schedule leaves out contact steps without
     CHECK(total == 28);
     CHECK(contact < 5);
     // The same motion solves the canonical schedule, started at its first pressed step.
-    DelayLine line(motionOf(r, z));
+    test::UniformWaves line(motionOf(r, z));
     line.contact(2);  // z[1] belongs to class 2, pressed first in step 2
     const Schedule canonical{8, v.canonical};
     CHECK(verify(line.state(), canonical).residuals.worst() < 1e-15);
@@ -143,13 +143,13 @@ TEST_CASE("verification: wrong use is refused")
     CHECK_THROWS_AS(isProof({}, onePhase(0, 1, 1)), std::invalid_argument);
 }
 
-TEST_CASE("verification: the echo sends what a delay line sends, piece by piece")
+TEST_CASE("verification: the echo sends what the waves of single steps send, piece by piece")
 {
     std::mt19937_64 generator(4);
     for (const std::int64_t cells : {1, 2, 7, 40}) {
         const State state = test::randomState(cells, 3);
         Echo echo(state);
-        DelayLine line(state);
+        test::UniformWaves line(state);
         for (int piece = 0; piece < 400; ++piece) {
             const Arrivals next = echo.ahead(1 + static_cast<std::int64_t>(generator() % 13));
             const bool isContact = generator() % 2 == 0;
@@ -158,17 +158,18 @@ TEST_CASE("verification: the echo sends what a delay line sends, piece by piece"
             double sum = 0.0;
             REQUIRE(next.count() >= 1);
             for (std::int64_t k = 0; k < next.count(); ++k) {
-                REQUIRE(next.at(k) == line.incoming());
+                REQUIRE(next.at(k) == line.arriving());
                 low = std::min(low, next.at(k));
                 high = std::max(high, next.at(k));
                 sum += next.at(k);
-                isContact ? line.contactStep() : line.freeStep();
+                isContact ? line.contact() : line.free();
             }
             REQUIRE(next.low() == low);
             REQUIRE(next.high() == high);
             REQUIRE(next.sum().value() == Approx(sum).margin(1e-14));
             echo.advance(next.count(), isContact);
-            REQUIRE(echo.distance() == line.distance(state));
+            const Eigen::VectorXd moved = test::stacked(line.state()) - test::stacked(state);
+            REQUIRE(echo.distance() == moved.lpNorm<Eigen::Infinity>());
         }
     }
 }

@@ -7,7 +7,6 @@
 #include <random>
 
 #include "catch.hpp"
-#include "propagation.hpp"
 
 using namespace signorini;
 
@@ -50,12 +49,12 @@ TEST_CASE("stepped bar: with equal impedances a step is the echo of the uniform 
     const std::vector<Segment> parts{{.cells = 3}, {.cells = 1}, {.cells = 4}};
     const State start = randomState(8, generator);
     test::SteppedWaves waves(steppedBar(parts), start);
-    DelayLine line(start);
+    test::UniformWaves line(start);
     for (int step = 0; step < 100; ++step) {
         const bool isHeld = generator() % 2 == 0;
-        CHECK(waves.arriving() == Approx(line.incoming()).margin(1e-15));
+        CHECK(waves.arriving() == Approx(line.arriving()).margin(1e-15));
         waves.step({.reflected = isHeld ? -1.0 : 1.0});
-        isHeld ? line.contactStep() : line.freeStep();
+        isHeld ? line.contact() : line.free();
     }
     CHECK((waves.state().a - line.state().a).norm() < 1e-14);
     CHECK((waves.state().b - line.state().b).norm() < 1e-14);

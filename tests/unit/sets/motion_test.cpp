@@ -1,8 +1,8 @@
 #include "signorini/motion.hpp"
 
 #include "catch.hpp"
-#include "propagation.hpp"
 #include "signorini/one_phase_set.hpp"
+#include "stepped_waves.hpp"
 #include "support.hpp"
 
 using namespace signorini;
@@ -17,7 +17,7 @@ TEST_CASE("motion: the field equals step-by-step propagation at every cell and i
         state = leastEnergyMotion(onePhaseSet(schedule));
     }
     const Motion motion(state, schedule);
-    DelayLine line(state);
+    test::UniformWaves line(state);
     std::int64_t instant = 0;
     const auto compare = [&] {
         const State now = line.state();
@@ -32,11 +32,11 @@ TEST_CASE("motion: the field equals step-by-step propagation at every cell and i
     for (const Phase& phase : schedule.phases) {
         for (std::int64_t k = 0; k < phase.contact; ++k, ++instant) {
             compare();
-            line.contactStep();
+            line.contact();
         }
         for (std::int64_t k = 0; k < phase.free; ++k, ++instant) {
             compare();
-            line.freeStep();
+            line.free();
         }
     }
     CHECK(instant == motion.steps());

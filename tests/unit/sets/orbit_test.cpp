@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "catch.hpp"
-#include "propagation.hpp"
 #include "signorini/one_phase_set.hpp"
 #include "signorini/verification.hpp"
+#include "stepped_waves.hpp"
 #include "support.hpp"
 
 using namespace signorini;
@@ -48,12 +48,12 @@ bool isRotation(const std::vector<double>& a, std::vector<double> b)
 /// The state some steps into the period of a one-phase motion.
 State later(const State& state, const Schedule& schedule, std::int64_t count)
 {
-    DelayLine bar(state);
+    test::UniformWaves bar(state);
     for (std::int64_t m = 0; m < count; ++m) {
         if (m % steps(schedule) < schedule.phases.front().contact) {
-            bar.contactStep();
+            bar.contact();
         } else {
-            bar.freeStep();
+            bar.free();
         }
     }
     return bar.state();
