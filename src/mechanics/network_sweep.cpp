@@ -144,23 +144,14 @@ public:
     [[nodiscard]] std::optional<SweepPoint> settle(double value, SweepDirection direction,
                                                    Waves& waves, const Cancel& cancel) const
     {
-        constexpr std::int64_t firstLook = 50;  // [periods]
-        const std::int64_t periods = sweep_.range.periods;
         NetworkSimulation simulation(network_, unpacked(network_, waves), drive_.drive,
                                      {.mergeBelow = mergeBelow(waves)});
         WatchedNetwork watched(simulation, drive_.drive);
         SweepPoint point{.value = value, .frequencyRatio = ratio_, .direction = direction};
-        for (std::int64_t look = std::min(firstLook, periods);;
-             look = std::min(2 * look, periods - point.watched)) {
-            Followed followed = follow(watched, drive_.period, static_cast<double>(look), cancel);
-            if (!followed.isComplete) {
-                return std::nullopt;
-            }
-            point.watched += look;
-            point.settling = std::move(followed.settling);
-            if (point.settling.settled || point.watched == periods) {
-                break;
-            }
+        if (!signorini::settle(point, sweep_.range.periods, [&](double periods) {
+                return follow(watched, drive_.period, periods, cancel);
+            })) {
+            return std::nullopt;
         }
         measure(simulation.state(), point, waves);
         return point;
@@ -225,18 +216,10 @@ private:
                 point.impulses.push_back(event.impulse / impulse_);
             }
         }
-        const auto [fewest, most] = std::minmax_element(contacts.begin(), contacts.end());
-        const auto [least, largest] = std::minmax_element(impulses.begin(), impulses.end());
-        point.contacts = {*fewest, *most};
-        point.impulse = {*least, *largest};
-        const auto count = static_cast<double>(repeats);
-        for (std::size_t k = 0; k < contacts.size(); ++k) {
-            point.meanContacts += static_cast<double>(contacts[k]) / count;
-            point.meanImpulse += impulses[k] / count;
-        }
+        enterPeriods(point, contacts, impulses);
         if (point.settling.settled) {
             point.settling.settled->contacts = static_cast<std::int64_t>(point.impulses.size());
-            point.settling.settled->impulse = point.meanImpulse * count;
+            point.settling.settled->impulse = point.meanImpulse * static_cast<double>(repeats);
         }
         point.tip = tipRange(seen, begin);
         waves = packed(network_, seen.state());

@@ -9,28 +9,28 @@ namespace signorini {
 
 namespace {
 
-/// Deals the pieces of a wave out to queues of given durations.
+/// Deals the pieces of a wave out to stretches of given durations.
 class Dealer {
 public:
     explicit Dealer(const std::vector<Piece>& pieces) : pieces_(pieces) {}
 
-    void fill(PieceQueue& queue, double duration)
+    std::vector<Piece> take(double duration)
     {
+        std::vector<Piece> part;
         while (duration > 0.0 && next_ < pieces_.size()) {
-            const Piece& piece = pieces_[next_];
-            const double rest = piece.duration - used_;
-            const double part = std::min(rest, duration);
-            queue.append(part, piece.value);
-            duration -= part;
-            used_ += part;
-            if (part == rest) {
+            const double rest = pieces_[next_].duration - used_;
+            part.push_back({std::min(rest, duration), pieces_[next_].value});
+            duration -= part.back().duration;
+            used_ += part.back().duration;
+            if (part.back().duration == rest) {
                 ++next_;
                 used_ = 0.0;
             }
         }
         if (duration > 0.0) {  // what rounding left of the sum of all durations
-            queue.append(duration, pieces_.back().value);
+            part.push_back({duration, pieces_.back().value});
         }
+        return part;
     }
 
 private:
@@ -41,6 +41,20 @@ private:
 
 }  // namespace
 
+std::vector<Waves> partsOf(const Waves& waves, std::span<const Segment> segments)
+{
+    std::vector<Waves> parts(segments.size());
+    Dealer fromTip(waves.a);
+    Dealer fromBase(waves.b);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const std::size_t last = parts.size() - 1 - i;
+        parts[last].a = fromTip.take(static_cast<double>(segments[last].cells));
+        parts[i].b = fromBase.take(static_cast<double>(segments[i].cells));
+        parts[i].crossing = static_cast<double>(segments[i].cells);
+    }
+    return parts;
+}
+
 SegmentLines::SegmentLines(const SteppedBar& bar, const Waves& start, double mergeBelow)
     : joints_(bar.joints), crossing_(start.crossing)
 {
@@ -48,16 +62,17 @@ SegmentLines::SegmentLines(const SteppedBar& bar, const Waves& start, double mer
         throwFault("crossing of the start", crossing_,
                    fmt::format("{}, the cells of all segments", bar.cells));
     }
-    for (const Segment& segment : bar.segments) {
-        lines_.push_back(
-            {PieceQueue(mergeBelow), PieceQueue(mergeBelow), segment.impedance, segment.dashpot});
-    }
-    Dealer fromTip(start.a);
-    Dealer fromBase(start.b);
-    for (std::size_t i = 0; i < lines_.size(); ++i) {
-        const std::size_t last = lines_.size() - 1 - i;
-        fromTip.fill(lines_[last].a, static_cast<double>(bar.segments[last].cells));
-        fromBase.fill(lines_[i].b, static_cast<double>(bar.segments[i].cells));
+    const auto fill = [](PieceQueue& queue, const std::vector<Piece>& pieces) {
+        for (const Piece& piece : pieces) {
+            queue.append(piece.duration, piece.value);
+        }
+    };
+    const std::vector<Waves> parts = partsOf(start, bar.segments);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        lines_.push_back({PieceQueue(mergeBelow), PieceQueue(mergeBelow), bar.segments[i].impedance,
+                          bar.segments[i].dashpot});
+        fill(lines_.back().a, parts[i].a);
+        fill(lines_.back().b, parts[i].b);
     }
 }
 

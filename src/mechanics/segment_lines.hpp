@@ -2,12 +2,16 @@
 /// \file
 /// The waves of a bar of several segments off any grid: two queues of pieces for each segment.
 
+#include <span>
 #include <vector>
 
 #include "signorini/simulation.hpp"
 #include "stepped_bar.hpp"
 
 namespace signorini {
+
+/// Of the waves of a bar those in each of its segments. O(pieces).
+[[nodiscard]] std::vector<Waves> partsOf(const Waves& waves, std::span<const Segment> segments);
 
 /// The waves under way. Unit of time: the step in which a wave crosses a cell.
 class SegmentLines {

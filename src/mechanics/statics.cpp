@@ -100,23 +100,19 @@ void addShapeUnder(Network& network, std::size_t bar, std::span<const double> fo
 
 namespace {
 
+/// The displacement of a node under a force of 1.
 double complianceAt(const Network& network, std::size_t node)
 {
-    const std::vector<double> ground = groundOf(network);
-    const NetworkBar& bar = network.bars[network.nodes[node].bar];
-    std::vector<double> rows(network.nodes.size(), 0.0);
-    for (const CellRow& row : network.rows) {
-        rows[row.right] = stiffnessOf(row);
+    const std::size_t bar = network.nodes[node].bar;
+    if (network.bars[bar].drifts()) {
+        return infinity;
     }
-    double fromLeft = 0.0;
-    for (std::size_t k = bar.firstNode; k < node; ++k) {
-        fromLeft = inSeries(fromLeft + ground[k], rows[k + 1]);
-    }
-    double fromRight = 0.0;
-    for (std::size_t k = bar.lastNode; k > node; --k) {
-        fromRight = inSeries(fromRight + ground[k], rows[k]);
-    }
-    return 1.0 / (fromLeft + fromRight + ground[node]);
+    std::vector<double> forces(network.nodes.size(), 0.0);
+    forces[node] = 1.0;
+    Network shape = network;
+    shape.nodes[node].rest = 0.0;
+    addShapeUnder(shape, bar, forces, std::nullopt);
+    return shape.nodes[node].rest;
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <mutex>
 #include <numbers>
-#include <numeric>
 
 #include "excited_amplitude.hpp"
 #include "excited_names.hpp"
@@ -16,8 +15,6 @@
 namespace signorini {
 
 namespace {
-
-constexpr std::int64_t firstLook = 50;  // [periods]
 
 /// The range at one value, and the unit of its lengths in gaps of the range.
 struct At {
@@ -102,53 +99,6 @@ void keepClear(Waves& waves, const Stops& stops)
     }
 }
 
-template <typename Number>
-std::array<Number, 2> leastAndMost(const std::vector<Number>& all)
-{
-    const auto [least, most] = std::minmax_element(all.begin(), all.end());
-    return {*least, *most};
-}
-
-template <typename Number>
-Number sumOf(const std::vector<Number>& all)
-{
-    return std::accumulate(all.begin(), all.end(), Number());
-}
-
-/// The largest strain in a period of one segment, `begin` cells of the bar being before it.
-double strainIn(BarSimulation simulation, double period, double begin, const Segment& segment)
-{
-    const auto crossing = static_cast<double>(segment.cells);
-    std::vector<Waves> states{partOf(simulation.waves(), begin, crossing)};
-    for (; period > crossing; period -= crossing) {
-        simulation.advance(crossing);
-        states.push_back(partOf(simulation.waves(), begin, crossing));
-    }
-    return largestStrain(states) / segment.speed;
-}
-
-/// Goes on for a period. \return the largest strain in it.
-double advanced(BarSimulation& simulation, double period, double crossing)
-{
-    if (simulation.segments().empty()) {
-        std::vector<Waves> states{simulation.waves()};
-        for (; period > crossing; period -= crossing) {
-            simulation.advance(crossing);
-            states.push_back(simulation.waves());
-        }
-        simulation.advance(period);
-        return largestStrain(states);
-    }
-    double strain = 0.0;
-    double begin = 0.0;
-    for (const Segment& segment : steppedBar(simulation.segments()).segments) {
-        strain = std::max(strain, strainIn(simulation, period, begin, segment));
-        begin += static_cast<double>(segment.cells);
-    }
-    simulation.advance(period);
-    return strain;
-}
-
 /// Follows the bar for the periods that are reported, and one before them: contacts that are under
 /// way at the start are not theirs.
 void measure(const BarSimulation& simulation, double period, double gap, SweepPoint& point,
@@ -163,7 +113,7 @@ void measure(const BarSimulation& simulation, double period, double gap, SweepPo
     for (std::int64_t k = 0; k <= repeats; ++k) {
         const double pushed = seen.impulse();
         const auto before = static_cast<std::int64_t>(seen.contacts().size());
-        const double strain = advanced(seen, period, waves.crossing);
+        const double strain = largestStrain(seen, period);
         point.strain = std::max(point.strain, gap * strain);
         if (k == 0) {
             begin = seen.time();
@@ -172,11 +122,7 @@ void measure(const BarSimulation& simulation, double period, double gap, SweepPo
             impulses.push_back(gap * (seen.impulse() - pushed));
         }
     }
-    point.contacts = leastAndMost(contacts);
-    point.impulse = leastAndMost(impulses);
-    const auto count = static_cast<double>(repeats);
-    point.meanContacts = static_cast<double>(sumOf(contacts)) / count;
-    point.meanImpulse = sumOf(impulses) / count;
+    enterPeriods(point, contacts, impulses);
     for (const ContactEvent& contact : seen.contacts()) {
         if (contact.end > begin) {
             point.impulses.push_back(gap * contact.impulse);
@@ -370,18 +316,10 @@ std::optional<SweepPoint> settleAt(const SweepRange& range, double value, SweepD
     const double period = stretchOf(driving, waves.crossing);
     SweepPoint point{.value = value, .direction = direction};
     point.frequencyRatio = 4.0 * driving.stepsPerCrossing / static_cast<double>(driving.steps());
-    for (std::int64_t look = std::min(firstLook, range.periods);;
-         look = std::min(2 * look, range.periods - point.watched)) {
-        Followed followed =
-            signorini::follow(simulation, period, static_cast<double>(look), cancel);
-        if (!followed.isComplete) {
-            return std::nullopt;
-        }
-        point.watched += look;
-        point.settling = std::move(followed.settling);
-        if (point.settling.settled || point.watched == range.periods) {
-            break;
-        }
+    if (!settle(point, range.periods, [&](double periods) {
+            return signorini::follow(simulation, period, periods, cancel);
+        })) {
+        return std::nullopt;
     }
     if (point.settling.settled) {
         point.settling.settled->impulse *= gap;

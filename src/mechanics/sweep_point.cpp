@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <deque>
+#include <numeric>
+#include <utility>
+
+#include "segment_lines.hpp"
 
 namespace signorini {
 
@@ -30,8 +34,9 @@ std::vector<Passing> passing(const std::vector<Waves>& states, std::vector<Piece
     return all;
 }
 
-}  // namespace
-
+/// Largest |b - a| over all x while waves are watched for so many crossings, exactly: what left the
+/// right end at t_1 meets what arrives there at t_2, t_1 <= t_2 <= t_1 + 2 crossings. `states` are
+/// those at the beginning, and after each crossing. O(pieces).
 double largestStrain(const std::vector<Waves>& states)
 {
     constexpr double same = 1e-9;
@@ -60,112 +65,125 @@ double largestStrain(const std::vector<Waves>& states)
     return worst;
 }
 
-namespace {
-
-/// Waves of a row, one state after another.
-class RowStates {
-public:
-    RowStates(const Network& network, std::size_t row)
-        : network_(network), row_(network.rows[row]), channel_(2 * row)
-    {
-    }
-
-    [[nodiscard]] double due() const
-    {
-        return static_cast<double>(states_.size()) * static_cast<double>(row_.cells);
-    }
-
-    void add(const std::vector<std::vector<Piece>>& channels)
-    {
-        const double begin = due();
-        const auto cells = static_cast<double>(row_.cells);
-        const double stretch =
-            (network_.nodes[row_.right].rest - network_.nodes[row_.left].rest) / cells;
-        states_.push_back({cells, leaned(channels[channel_], begin, 0.0),
-                           leaned(channels[channel_ + 1], begin, stretch)});
-    }
-
-    [[nodiscard]] double largest() const { return largestStrain(states_) / row_.speed; }
-
-private:
-    /// What has come in at the right at t and at the left at t' meets (t' - t)/2 to the right of
-    /// the middle, where weight stretches by that times the gravity less: each wave takes half.
-    [[nodiscard]] std::vector<Piece> leaned(const std::vector<Piece>& wave, double begin,
-                                            double stretch) const
-    {
-        const double gravity = network_.gravity;
-        std::vector<Piece> all;
-        for (const Piece& piece : wave) {
-            double left = piece.duration;
-            while (left > 0.0) {
-                const double part = gravity == 0.0 ? left : std::min(left, 1.0);
-                const double middle = begin + 0.5 * part;
-                all.push_back({part, piece.value + stretch - 0.5 * gravity * middle});
-                left -= part;
-                begin += part;
-            }
-        }
-        return all;
-    }
-
-    const Network& network_;
-    const CellRow& row_;
-    std::size_t channel_;
-    std::vector<Waves> states_;
-};
-
-}  // namespace
-
-double largestStrain(NetworkSimulation& simulation, double duration)
+/// Goes on for so long by advance(duration); see(now): the waves of each row.
+double strainOfRows(const std::vector<double>& speeds, double duration,
+                    const std::function<std::vector<Waves>(double now)>& see,
+                    const std::function<void(double duration)>& advance)
 {
-    const Network& network = simulation.network();
-    std::vector<RowStates> rows;
-    for (std::size_t row = 0; row < network.rows.size(); ++row) {
-        rows.emplace_back(network, row);
-    }
+    std::vector<std::vector<Waves>> states(speeds.size());
     for (double now = 0.0; now < duration;) {
-        const std::vector<std::vector<Piece>> channels = piecesOf(network, simulation.state());
+        std::vector<Waves> seen = see(now);
         double next = duration;
-        for (RowStates& row : rows) {
-            if (row.due() <= now) {
-                row.add(channels);
+        for (std::size_t row = 0; row < states.size(); ++row) {
+            const double crossing = seen[row].crossing;
+            if (static_cast<double>(states[row].size()) * crossing <= now) {
+                states[row].push_back(std::move(seen[row]));
             }
-            next = std::min(next, row.due());
+            next = std::min(next, static_cast<double>(states[row].size()) * crossing);
         }
-        simulation.advance(next - now);
+        advance(next - now);
         now = next;
     }
     double worst = 0.0;
-    for (const RowStates& row : rows) {
-        worst = std::max(worst, row.largest());
+    for (std::size_t row = 0; row < states.size(); ++row) {
+        worst = std::max(worst, largestStrain(states[row]) / speeds[row]);
     }
     return worst;
 }
 
-namespace {
-
-/// What of a wave lies between two times of arrival.
-std::vector<Piece> between(const std::vector<Piece>& wave, double from, double to)
+/// What has come in at the right at t and at the left at t' meets (t' - t)/2 to the right of the
+/// middle, where weight stretches by that times the gravity less: each wave takes half.
+std::vector<Piece> leaned(const std::vector<Piece>& wave, double begin, double stretch,
+                          double gravity)
 {
-    std::vector<Piece> part;
-    double at = 0.0;
+    std::vector<Piece> all;
     for (const Piece& piece : wave) {
-        const double lasts = std::min(at + piece.duration, to) - std::max(at, from);
-        if (lasts > 0.0) {
-            part.push_back({lasts, piece.value});
+        double left = piece.duration;
+        while (left > 0.0) {
+            const double part = gravity == 0.0 ? left : std::min(left, 1.0);
+            const double middle = begin + 0.5 * part;
+            all.push_back({part, piece.value + stretch - 0.5 * gravity * middle});
+            left -= part;
+            begin += part;
         }
-        at += piece.duration;
     }
-    return part;
+    return all;
 }
 
 }  // namespace
 
-Waves partOf(const Waves& waves, double begin, double crossing)
+double largestStrain(BarSimulation& simulation, double duration)
 {
-    const double before = waves.crossing - begin - crossing;  // towards the tip
-    return {crossing, between(waves.a, before, before + crossing),
-            between(waves.b, begin, begin + crossing)};
+    if (simulation.segments().empty()) {
+        return strainOfRows(
+            {1.0}, duration, [&](double) { return std::vector<Waves>{simulation.waves()}; },
+            [&](double way) { simulation.advance(way); });
+    }
+    // Looks at segments end at no common time and would part pieces: they are at a copy.
+    BarSimulation copy = simulation;
+    const std::vector<Segment> segments = steppedBar(simulation.segments()).segments;
+    std::vector<double> speeds;
+    for (const Segment& segment : segments) {
+        speeds.push_back(segment.speed);
+    }
+    simulation.advance(duration);
+    return strainOfRows(
+        speeds, duration, [&](double) { return partsOf(copy.waves(), segments); },
+        [&](double way) { copy.advance(way); });
+}
+
+double largestStrain(NetworkSimulation& simulation, double duration)
+{
+    const Network& network = simulation.network();
+    std::vector<double> speeds;
+    for (const CellRow& row : network.rows) {
+        speeds.push_back(row.speed);
+    }
+    const auto see = [&](double now) {
+        const std::vector<std::vector<Piece>> channels = piecesOf(network, simulation.state());
+        std::vector<Waves> seen;
+        for (std::size_t k = 0; k < network.rows.size(); ++k) {
+            const CellRow& row = network.rows[k];
+            const auto cells = static_cast<double>(row.cells);
+            const double stretch =
+                (network.nodes[row.right].rest - network.nodes[row.left].rest) / cells;
+            seen.push_back({cells, leaned(channels[2 * k], now, 0.0, network.gravity),
+                            leaned(channels[2 * k + 1], now, stretch, network.gravity)});
+        }
+        return seen;
+    };
+    return strainOfRows(speeds, duration, see, [&](double way) { simulation.advance(way); });
+}
+
+bool settle(SweepPoint& point, std::int64_t most,
+            const std::function<Followed(double periods)>& follow)
+{
+    constexpr std::int64_t firstLook = 50;  // [periods]
+    for (std::int64_t look = std::min(firstLook, most);
+         !point.settling.settled && point.watched < most;
+         look = std::min(2 * look, most - point.watched)) {
+        Followed followed = follow(static_cast<double>(look));
+        if (!followed.isComplete) {
+            return false;
+        }
+        point.watched += look;
+        point.settling = std::move(followed.settling);
+    }
+    return true;
+}
+
+void enterPeriods(SweepPoint& point, const std::vector<std::int64_t>& contacts,
+                  const std::vector<double>& impulses)
+{
+    const auto [fewest, most] = std::minmax_element(contacts.begin(), contacts.end());
+    const auto [least, largest] = std::minmax_element(impulses.begin(), impulses.end());
+    point.contacts = {*fewest, *most};
+    point.impulse = {*least, *largest};
+    const auto count = static_cast<double>(contacts.size());
+    point.meanContacts =
+        static_cast<double>(std::accumulate(contacts.begin(), contacts.end(), std::int64_t{0})) /
+        count;
+    point.meanImpulse = std::accumulate(impulses.begin(), impulses.end(), 0.0) / count;
 }
 
 }  // namespace signorini

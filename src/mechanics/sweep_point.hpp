@@ -2,22 +2,31 @@
 /// \file
 /// What is measured at one value of a sweep.
 
+#include <cstdint>
+#include <functional>
+#include <vector>
+
 #include "network_simulation.hpp"
+#include "signorini/settling.hpp"
 #include "signorini/sweep.hpp"
 
 namespace signorini {
 
-/// Largest |b - a| over all x while the tip is watched for so many crossings of the bar, exactly:
-/// what left the tip at t_1 meets what arrives there at t_2, t_1 <= t_2 <= t_1 + 2 L/c. `states`
-/// are those at the beginning, and after each crossing. O(pieces).
-[[nodiscard]] double largestStrain(const std::vector<Waves>& states);
+/// Goes on for so long in units of the start's `Waves`. \return the largest |b - a|/speed over all
+/// x in that time, exactly. Looks at each segment once in the time in which waves cross it.
+double largestStrain(BarSimulation& simulation, double duration);
 
 /// Goes on for so long [h]. \return the largest |(l - r)/speed| over all bars in that time, the
-/// shape at rest included; exactly, with weight to within that of half a cell. Looks at each row
-/// once in the time in which waves cross it.
+/// shape at rest included; exactly, with weight to within that of half a cell.
 double largestStrain(NetworkSimulation& simulation, double duration);
 
-/// The waves in a stretch of the bar of so many units, `begin` of them before it from the base.
-[[nodiscard]] Waves partOf(const Waves& waves, double begin, double crossing);
+/// Follows until it repeats itself, or for `most` periods, and looks after 50, 100, 200, ...
+/// \return whether it was not cancelled
+[[nodiscard]] bool settle(SweepPoint& point, std::int64_t most,
+                          const std::function<Followed(double periods)>& follow);
+
+/// Takes what was counted in each of the periods that are reported.
+void enterPeriods(SweepPoint& point, const std::vector<std::int64_t>& contacts,
+                  const std::vector<double>& impulses);
 
 }  // namespace signorini

@@ -9,6 +9,7 @@
 #include "stepped_bar.hpp"
 #include "stepped_waves.hpp"
 #include "support.hpp"
+#include "sweep_point.hpp"
 
 using namespace signorini;
 
@@ -143,6 +144,52 @@ TEST_CASE("simulation of segments: the bar pressed at rest stays, and its force 
     // Its unit is EA |g|/L of a bar of the first material with the same travel time.
     const double unit = scales(firstMaterial(scene)).strain;
     CHECK(simulation.impulse() * unit == Approx(force * simulation.time()).epsilon(1e-12));
+}
+
+TEST_CASE("simulation of segments: its largest strain is that of all waves that meet in a cell")
+{
+    std::mt19937_64 generator(34);
+    constexpr std::int64_t period = 48;  // times 1..4 cells, whole
+    for (unsigned k = 0; k < 12; ++k) {
+        std::vector<Segment> segments = randomSegments(generator);
+        for (Segment& segment : segments) {
+            segment.impedance = std::sqrt(std::sqrt(segment.impedance));
+            segment.speed = generator() % 2 == 0 ? 1.0 : 2.5;
+        }
+        segments.front().speed = 1.0;
+        const SteppedBar bar = steppedBar(segments);
+        const Excitation excitation = forceOf(k % 2 == 0 ? Excited::tip : Excited::base, 1e-3,
+                                              period, static_cast<double>(bar.cells));
+        const Damping damping{0.3};
+        BarSimulation simulation(wavesAtRest(segments, {}), damping, excitation,
+                                 {.segments = segments});
+        const State rest{Eigen::VectorXd::Zero(bar.cells), Eigen::VectorXd::Zero(bar.cells)};
+        test::SteppedWaves waves(bar, rest);
+        const double z = bar.segments.back().impedance;
+        const double eta = damping.eta();
+        double worst = 0.0;
+        constexpr std::int64_t before = 50 * period;
+        State was = rest;
+        for (std::int64_t m = 0; m < before + period; ++m) {
+            waves.step({.reflected = (z - eta) / (z + eta),
+                        .pulled = excitation.force(m) / (z + eta),
+                        .baseVelocity = excitation.baseVelocity(m)});
+            // In the step before and after, and where one of the two waves has come already.
+            const State now = waves.state();
+            for (const State& both : {was, State{now.a, was.b}, State{was.a, now.b}}) {
+                const double most = strain(both, bar.segments).lpNorm<Eigen::Infinity>();
+                worst = m < before ? 0.0 : std::max(worst, most);
+            }
+            was = now;
+        }
+        simulation.advance(static_cast<double>(before));
+        INFO("case " << k);
+        REQUIRE(simulation.contacts().empty());
+        CHECK(largestStrain(simulation, static_cast<double>(period)) ==
+              Approx(worst).epsilon(1e-8));
+        CHECK(simulation.time() * static_cast<double>(bar.cells) ==
+              Approx(static_cast<double>(before + period)).epsilon(1e-12));
+    }
 }
 
 TEST_CASE("simulation of segments: strain and energy of a state know the segments")
