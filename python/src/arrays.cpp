@@ -43,13 +43,13 @@ Numbers numbersOf(const py::object& given, const char* name)
         fmt::format("{} = {}: allowed real numbers", name, py::cast<std::string>(shown)));
 }
 
-std::vector<const answers::Option*> optionsNamed(const std::string& argument)
+std::vector<const Option*> optionsNamed(const std::string& argument)
 {
     std::string option = "--" + argument;
     std::replace(option.begin(), option.end(), '_', '-');
-    std::vector<const answers::Option*> rows;
-    for (const answers::Option& known : answers::options()) {
-        if (known.name == option && known.takes != answers::Takes::file) {
+    std::vector<const Option*> rows;
+    for (const Option& known : options()) {
+        if (known.name == option && known.takes != Takes::file) {
             rows.push_back(&known);
         }
     }

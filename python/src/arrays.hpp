@@ -18,6 +18,7 @@
 namespace signorini::python {
 
 namespace py = pybind11;
+using namespace answers;
 
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
@@ -25,7 +26,7 @@ using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Quantity = std::variant<double, std::string>;
 
 /// The program's options that are called as an argument is.
-[[nodiscard]] std::vector<const answers::Option*> optionsNamed(const std::string& argument);
+[[nodiscard]] std::vector<const Option*> optionsNamed(const std::string& argument);
 
 /// In which the program takes such an option; "-" if there is none.
 [[nodiscard]] std::string unitOfOption(const std::string& name);

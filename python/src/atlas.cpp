@@ -1,23 +1,13 @@
 #include "calls.hpp"
 
-#include <pybind11/stl.h>
-
 #include <array>
 #include <mutex>
 
-#include "asked.hpp"
 #include "atlas_answer.hpp"
-#include "described.hpp"
-#include "patience.hpp"
 #include "share_work.hpp"
 #include "signorini/atlas_database.hpp"
-#include "signorini/figures.hpp"
 
 namespace signorini::python {
-
-using FamilyOf = answers::AtlasFamilyOf;
-using EntryOf = answers::AtlasEntryOf;
-using answers::withUnits;
 
 namespace {
 
@@ -25,20 +15,20 @@ namespace {
 struct Atlas {
     AtlasDatabase database;
     Bar bar;
-    answers::AtlasUnits units;
+    AtlasUnits units;
     std::mutex mutex;
 
     Atlas(const std::string& path, const Bar& ofOne)
         : database(AtlasDatabase::open(path)), bar(ofOne)
     {
         const std::optional<Assembly> bars = barsOf(database.runs());
-        units = bars ? answers::atlasUnitsOf(*bars) : answers::atlasUnitsOf(bar);
+        units = bars ? atlasUnitsOf(*bars) : atlasUnitsOf(bar);
     }
 
     /// A point of the plot as its rows have it: 4N/n.
     [[nodiscard]] double onGrid(double frequencyRatio) const
     {
-        const answers::AtlasPoint at{.frequencyRatio = frequencyRatio, .units = units};
+        const AtlasPoint at{.frequencyRatio = frequencyRatio, .units = units};
         validate(at);
         return at.onGrid();
     }
@@ -55,7 +45,7 @@ void addQuestion(py::class_<Atlas, SharedAtlas>& shown, const char* name,
                  Result (*question)(const Atlas&, const Wires&, Given...))
 {
     const auto asking = [question](const SharedAtlas& atlas, Given... given) {
-        return patiently([=](const Wires& wires) {
+        return patiently(py::none(), [=](const Wires& wires) {
             const std::lock_guard lock(atlas->mutex);
             return question(*atlas, wires, given...);
         });
@@ -64,19 +54,17 @@ void addQuestion(py::class_<Atlas, SharedAtlas>& shown, const char* name,
 }
 
 /// Visits each row that `visit` shows, until the call is cancelled.
-template <typename Row, typename Given, typename Visit>
-std::vector<Row> allRows(const Wires& wires, const answers::AtlasUnits& units, Visit visit)
+template <typename Row, typename Visit>
+std::vector<Row> allRows(const Wires& wires, const AtlasUnits& units, Visit visit)
 {
     struct Cancelled {};
     std::vector<Row> rows;
     try {
-        visit([&](const Given& one) {
+        visit([&](const auto& one) {
             if (wires.cancel()) {
                 throw Cancelled();
             }
-            Row& row = rows.emplace_back();
-            row.value = one;
-            row.units = units;
+            rows.push_back({one, units});
         });
     } catch (const Cancelled&) {
         rows.clear();  // nobody waits for them
@@ -95,28 +83,28 @@ void addAtlasFile(py::module_& module)
         +[](const Atlas& a, const Wires&) { return hasFamilies(a.database.runs()); });
     addQuestion(
         shown, "families", {"cells"}, +[](const Atlas& a, const Wires& wires, Cells cells) {
-            return allRows<FamilyOf, AtlasFamily>(
+            return allRows<AtlasFamilyOf>(
                 wires, a.units, [&](const auto& keep) { a.database.forEachFamily(cells, keep); });
         });
     addQuestion(
         shown, "schedules", {"cells"}, +[](const Atlas& a, const Wires& wires, Cells cells) {
-            return allRows<EntryOf, AtlasEntry>(
+            return allRows<AtlasEntryOf>(
                 wires, a.units, [&](const auto& keep) { a.database.forEachFound(cells, keep); });
         });
     addQuestion(
         shown, "frequency_energy_figure", {"cells", "left", "right", "top", "max_order"},
         +[](const Atlas& a, const Wires&, Cells cells, End left, End right, End top,
             std::int64_t order) {
-            return asJson(frequencyEnergyFigure(a.database, cells,
-                                                {.maxFrequencyRatio = right,
-                                                 .maxEnergyRatio = top,
-                                                 .bar = a.bar,
-                                                 .leastFrequencyRatio = left,
-                                                 .maxOrder = order}));
+            return frequencyEnergyFigure(a.database, cells,
+                                         {.maxFrequencyRatio = right,
+                                          .maxEnergyRatio = top,
+                                          .bar = a.bar,
+                                          .leastFrequencyRatio = left,
+                                          .maxOrder = order});
         });
     addQuestion(
         shown, "existence_figure", {"cells"}, +[](const Atlas& a, const Wires&, Cells cells) {
-            return asJson(existenceFigure(a.database, cells));
+            return existenceFigure(a.database, cells);
         });
     addQuestion(
         shown, "families_near", {"frequency_ratio", "energy_ratio", "within", "cells"},
@@ -140,7 +128,7 @@ void addAtlasFile(py::module_& module)
         });
     addQuestion(
         shown, "twins", {"cells"}, +[](const Atlas& a, const Wires&, Cells cells) {
-            std::vector<std::tuple<std::vector<FamilyOf>, std::vector<EntryOf>>> groups;
+            std::vector<std::tuple<std::vector<AtlasFamilyOf>, std::vector<AtlasEntryOf>>> groups;
             for (const Twins& twins : a.database.twins(cells)) {
                 groups.emplace_back(withUnits(twins.families, a.units),
                                     withUnits(twins.schedules, a.units));
@@ -153,43 +141,38 @@ AtlasRun build(const Asked& asked)
 {
     AtlasRange range =
         asked.has("words")
-            ? answers::atlasRangeOf(asked.assembly())
-            : answers::atlasRangeOf(asked.scene(),
-                                    asked.maybe<std::int64_t>("cells").value_or(Schedule().cells));
-    range.maxContact = asked.maybe<std::int64_t>("max_contact").value_or(range.maxContact);
-    range.maxFree = asked.maybe<std::int64_t>("max_free").value_or(range.maxFree);
+            ? atlasRangeOf(asked.assembly())
+            : atlasRangeOf(asked.scene(),
+                           asked.maybe<std::int64_t>("cells").value_or(Schedule().cells));
+    asked.read("max_contact", range.maxContact);
+    asked.read("max_free", range.maxFree);
     range.maxPhases = asked.get<std::int64_t>("phases");
-    range.maxEnergyRatio = asked.maybe<double>("max_energy_ratio").value_or(range.maxEnergyRatio);
+    asked.read("max_energy_ratio", range.maxEnergyRatio);
     range.keepsRefuted = asked.get<bool>("all");
     range.familiesOnly = asked.get<bool>("families_only");
     validate(range);
     const auto path = asked.get<std::string>("path");
-    const auto threads = asked.get<std::int64_t>("threads");
-    const bool resume = asked.get<bool>("resume");
-    return patiently(
-        [=](const Wires& wires) {
-            AtlasOptions options;
-            options.threads = threads;
-            options.resume = resume;
-            options.cancel = wires.cancel;
-            options.options = "Python";
-            options.progress = [&wires](const AtlasRun& run) {
-                wires.progress(static_cast<double>(run.nextBatch),
-                               static_cast<double>(run.batches));
-            };
-            AtlasDatabase database = AtlasDatabase::create(path, options.cancel);
-            return buildAtlas(database, range, options);
-        },
-        asked.progress(), false);
+    AtlasOptions options{.threads = asked.get<std::int64_t>("threads"),
+                         .resume = asked.get<bool>("resume"),
+                         .options = "Python"};
+    const auto job = [=](const Wires& wires) mutable {
+        options.cancel = wires.cancel;
+        options.progress = [&wires](const AtlasRun& run) {
+            wires.progress(static_cast<double>(run.nextBatch), static_cast<double>(run.batches));
+        };
+        AtlasDatabase database = AtlasDatabase::create(path, options.cancel);
+        return buildAtlas(database, range, options);
+    };
+    return patiently(asked.object("progress"), job, false);
 }
 
 }  // namespace
 
 void addAtlas(py::module_& module)
 {
-    addClasses<FamilyOf, EntryOf, AtlasRun>(module);
+    addClasses<AtlasFamilyOf, AtlasEntryOf, AtlasRun>(module);
     addAtlasFile(module);
-    addCall(module, "build_atlas", &build);
+    module.def("build_atlas", &build);
 }
 
 }  // namespace signorini::python

@@ -2,49 +2,51 @@
 
 #include <cmath>
 
+#include "continuum_answer.hpp"
 #include "demand_names.hpp"
-#include "find_answer.hpp"
-#include "motion.hpp"
 #include "question_answer.hpp"
-#include "signorini/output.hpp"
+#include "scene_continuum_answer.hpp"
+#include "scene_figures.hpp"
+#include "scene_find_answer.hpp"
+#include "scene_question_answer.hpp"
+#include "signorini/continuum.hpp"
+#include "state_table.hpp"
 
 namespace signorini::python {
 
 template <>
-struct Members<answers::FindAnswer> {
+struct Members<FindAnswer> {
     static constexpr auto list =
-        std::tuple{&answers::FindAnswer::result, &answers::FindAnswer::target,
-                   &answers::FindAnswer::stability};
+        std::tuple{&FindAnswer::result, &FindAnswer::target, &FindAnswer::stability};
+};
+template <>
+struct Members<ContinuumAnswer> {
+    static constexpr auto list = std::tuple{&ContinuumAnswer::curve};
 };
 
 namespace {
 
-using Answer = answers::FindAnswer;
-using SharedFind = std::shared_ptr<Answer>;
+/// The field of what was found.
+std::optional<GridMotion> motionIn(const std::shared_ptr<FindAnswer>& a)
+{
+    const auto& found = a->result;
+    return found.motion
+               ? std::optional(GridMotion({a, &found.motion->state}, found.schedule, found.scene))
+               : std::nullopt;
+}
 
 void addResult(py::module_& module)
 {
-    classOf<Answer>(module)
+    classOf<FindAnswer>(module)
         ->has("state", "At t = 0, the start of the first contact: a State, or None.",
-              [](const SharedFind& a) -> std::optional<StateOf> {
-                  const auto& motion = a->result.motion;
-                  return motion ? std::optional(StateOf{{a, &motion->state},
-                                                        firstMaterial(a->result.scene),
-                                                        a->result.scene.segments})
-                                : std::nullopt;
+              [](const std::shared_ptr<FindAnswer>& a) -> std::optional<StateOf> {
+                  const auto motion = motionIn(a);
+                  return motion ? std::optional(motion->start()) : std::nullopt;
               })
-        .has("motion", "The field over one period: a Motion, or None.",
-             [](const SharedFind& a) -> std::optional<GridMotion> {
-                 const auto& motion = a->result.motion;
-                 return motion ? std::optional(GridMotion{
-                                     {a, &motion->state}, a->result.schedule, a->result.scene})
-                               : std::nullopt;
-             })
-        .has("scene", "Asked about: a Scene.", [](const Answer& a) { return a.result.scene; })
-        .more()
-        .def(
-            "is_proof", [](const Answer& a) { return isProof(a.result); },
-            "Checks the certificate once more, against rows made anew.");
+        .has("motion", "The field over one period: a Motion, or None.", &motionIn)
+        .has("scene", "Asked about: a Scene.", [](const FindAnswer& a) { return a.result.scene; })
+        .can("is_proof", "Checks the certificate once more, against rows made anew.",
+             [](const FindAnswer& a) { return isProof(a.result); });
 }
 
 /// Calls that end at once stay in the calling thread.
@@ -56,37 +58,282 @@ bool isQuick(const Schedule& schedule, const FindOptions& options)
            std::isinf(options.strainLimit) && std::isinf(options.tipFloor);
 }
 
-Answer find(const Asked& asked)
+/// How a motion of any bars is looked for.
+FindOptions optionsOf(const Asked& asked)
+{
+    FindOptions options;
+    options.solver = asked.get<std::string>("solver");
+    options.objective = asked.named("objective", objectiveNames);
+    options.tolerance = asked.get<double>("tolerance");
+    asked.read("time_limit", options.timeLimit);
+    return options;
+}
+
+FindAnswer find(const Asked& asked)
 {
     const Schedule schedule = asked.schedule();
-    FindOptions options;
-    options.scene = asked.scene();
-    const Bar units = answers::unitsOf(options.scene);
+    const Scene scene = asked.scene();
+    const Bar units = unitsOf(scene);
     const Scales scale = scales(units);
-    options.solver = asked.get<std::string>("solver");
+    FindOptions options = optionsOf(asked);
+    options.scene = scene;
     options.formulation = asked.named("formulation", formulationNames);
-    options.objective = asked.named("objective", objectiveNames);
     options.energyRatio = asked.energyRatio(units);
     options.strainLimit = asked.strainLimit(scale.strain);
     if (const auto floor = asked.maybe<double>("tip_floor")) {
         options.tipFloor = *floor / scale.displacement;
     }
-    options.tolerance = asked.get<double>("tolerance");
-    options.timeLimit = asked.maybe<double>("time_limit").value_or(options.timeLimit);
-    const auto target = asked.maybe<StateOf>("target");
     std::string how;
-    if (target) {
+    if (const auto target = asked.maybe<StateOf>("target")) {
         how = fmt::format("a state of {} cells", target->value->cells());
         options.target = *target->value;
     }
     if (!asked.get<bool>("stability") && isQuick(schedule, options)) {
         const py::gil_scoped_release release;
-        return answers::answerOf(findPeriodic(schedule, options), options, how);
+        return answerOf(findPeriodic(schedule, options), options, how);
     }
-    return findPatiently(asked, steps(schedule), [=](const Wires& wires) mutable {
-        options.cancel = wires.cancel;
-        return answers::answerOf(findPeriodic(schedule, options), options, how);
+    return findPatiently(asked, steps(schedule), [=](const Wires& wires) {
+        return answerOf(findPeriodic(schedule, wires.on(options)), options, how);
     });
+}
+
+void addQuestions(py::module_& module)
+{
+    module.def("question", [](const Asked& asked, std::vector<FindAnswer> sets) {
+        FindOptions options;
+        options.scene = asked.scene();
+        options.energyRatio = asked.energyRatio(unitsOf(options.scene));
+        QuestionAnswer answer =
+            questionOf({asked.get<std::string>("option"), asked.get<std::string>("word"),
+                        asked.get<std::int64_t>("steps")},
+                       asked.get<std::int64_t>("cells"), options);
+        answer.answers = std::move(sets);
+        return dictionaryOf(answer);
+    });
+    module.def("period_on_grid",
+               [](const std::string& name, const std::string& word, std::int64_t cells,
+                  const Bar& bar) { return periodOnGrid(name, word, cells, bar).steps; });
+    module.def("period_exactly", [](const std::string& name, const std::string& word,
+                                    std::int64_t cells, const Bar& bar, std::int64_t cycles) {
+        const ExactPeriod exact = periodExactly(name, word, cells, bar, cycles);
+        return std::pair(exact.numerator, exact.denominator);
+    });
+    module.def("schedules_of_period",
+               [](std::int64_t cells, std::int64_t steps, const Scene& scene) {
+                   return schedulesOfPeriod(cells, steps, stopsOf(scene).right);
+               });
+}
+
+/// One number of each point.
+auto ofPoints(double ContinuumPoint::*member)
+{
+    return [member](const std::shared_ptr<ContinuumAnswer>& answer) {
+        return view(answer->curve->points, member, answer);
+    };
+}
+
+void addCurve(py::module_& module)
+{
+    classOf<PointOf>(module)
+        ->has("state", "At t = 0: a State.",
+              [](const PointOf& p) {
+                  return StateOf{{p.point, &p.point->state}, p.curve->scene.bar};
+              })
+        .has("motion", "The field over one period: a Motion.", [](const PointOf& p) {
+            return GridMotion({p.point, &p.point->state}, p.curve->schedule, p.curve->scene);
+        });
+    classOf<ContinuumAnswer>(module)
+        ->has("lambda_", "Of each point, shape (points,).", ofPoints(&ContinuumPoint::lambda))
+        .has("peak_strain", "Of each point [-].", ofPoints(&ContinuumPoint::peakStrain))
+        .has("residual", "Of each point.", ofPoints(&ContinuumPoint::residual))
+        .can("member", {"lambda_"},
+             "The motion at a lambda: exact for the split pulse, else the nearest point. "
+             "ValueError out of range.",
+             [](const ContinuumAnswer& c, double lambda) {
+                 return *ContinuumAnswer{c.curve, memberAt(*c.curve, lambda)}.member();
+             })
+        .draws([](const ContinuumAnswer& c) { return continuumFigure(*c.curve); });
+}
+
+Trace traceOf(const Asked& asked)
+{
+    const auto start = asked.maybe<StateOf>("start");
+    const auto to = asked.maybe<StateOf>("to");
+    const auto direction = asked.maybe<StateOf>("direction");
+    const auto seed = asked.maybe<std::uint64_t>("seed");
+    if (!start) {
+        return asked.get<bool>("sample") ? Trace(trace::Sample{seed.value_or(trace::Sample{}.seed)})
+               : seed                    ? Trace(trace::RandomPath{*seed})
+                                         : Trace(trace::SplitPulse{});
+    }
+    if (to) {
+        return trace::Path{*start->value, *to->value};
+    }
+    return trace::Walk{*start->value, *direction->value};
+}
+
+ContinuumAnswer continuum(const Asked& asked)
+{
+    const Schedule schedule = asked.schedule();
+    ContinuumOptions options;
+    options.scene = asked.scene();
+    const double ratio = asked.energyRatio(options.scene.bar).value();
+    asked.readCurve(options);
+    options.trace = traceOf(asked);
+    asked.read("strain_limit", options.strainLimit);
+    return patiently(asked, [=](const Wires& wires) {
+        return ContinuumAnswer{
+            std::make_shared<const Continuum>(traceContinuum(schedule, ratio, wires.on(options)))};
+    });
+}
+
+/// Bars, and their schedule if a call has one.
+struct AskedBars {
+    Assembly assembly;
+    Network network;
+    std::vector<ContactSpan> schedule = {};
+
+    explicit AskedBars(const Asked& asked)
+        : assembly(asked.assembly()), network(networkOf(assembly))
+    {
+        if (asked.has("steps")) {
+            schedule = spansOf(py::cast<std::vector<std::string>>(asked.object("steps")),
+                               network.contacts.size());
+        }
+        limitStrain(network, assembly, asked.maybe<double>("strain_limit"));
+    }
+    [[nodiscard]] std::vector<double> wavesIn(const std::string& file) const
+    {
+        return readNearestWaves(file, network, barOf(assembly));
+    }
+    [[nodiscard]] std::optional<double> energy(const Asked& asked) const
+    {
+        return heldEnergy(network, asked.maybe<double>("energy"),
+                          asked.maybe<double>("energy_ratio"));
+    }
+};
+
+/// What is asked of a motion of them.
+NetworkWish wishOf(const Asked& asked, const AskedBars& of, Objective objective)
+{
+    NetworkWish wish{.objective = objective, .energy = of.energy(asked)};
+    if (const auto file = asked.maybe<std::string>("target")) {
+        wish.target = of.wavesIn(*file);
+    }
+    return wish;
+}
+
+SceneFindAnswer findInBars(const Asked& asked)
+{
+    const AskedBars of(asked);
+    const FindOptions options = optionsOf(asked);
+    const NetworkWish wish = wishOf(asked, of, options.objective);
+    return findPatiently(asked, stepsOf(of.schedule), [=](const Wires& wires) {
+        return answerOf(of.assembly, of.network, of.schedule, wish, wires.on(options));
+    });
+}
+
+SceneQuestionAnswer findPeriodInBars(const Asked& asked)
+{
+    const AskedBars of(asked);
+    const std::int64_t steps = asked.steps(of.assembly, 1);
+    const FindOptions options = optionsOf(asked);
+    const NetworkWish wish = wishOf(asked, of, options.objective);
+    return findPatiently(asked, steps, [=](const Wires& wires) {
+        return questionOf(of.assembly, of.network, steps, wish, wires.on(options), wires.progress);
+    });
+}
+
+SceneForcedAnswer findForcedInBars(const Asked& asked)
+{
+    const AskedBars of(asked);
+    const Forcing forcing{asked.place(), asked.get<std::int64_t>("cycles"), {}};
+    const auto amplitude = asked.maybe<double>("amplitude");
+    const auto derivative = asked.get<int>("derivative");
+    return findPatiently(asked, stepsOf(of.schedule), [=](const Wires&) {
+        return forcedAnswerOf(of.assembly, of.network, of.schedule, forcing, amplitude, derivative);
+    });
+}
+
+/// Waves of a point of another curve, or in a file.
+std::optional<std::vector<double>> wavesOf(const Asked& asked, const char* name,
+                                           const AskedBars& of)
+{
+    if (!asked.has(name)) {
+        return std::nullopt;
+    }
+    if (py::isinstance<SceneCurvePoint>(asked.object(name))) {
+        return asked.get<SceneCurvePoint>(name).point().motion.waves;
+    }
+    return of.wavesIn(asked.get<std::string>(name));
+}
+
+SceneContinuumAnswer continuumInBars(const Asked& asked)
+{
+    const AskedBars of(asked);
+    const double energy = of.energy(asked).value();
+    NetworkCurveOptions options;
+    asked.readCurve(options);
+    options.from = wavesOf(asked, "start", of);
+    options.to = wavesOf(asked, "to", of);
+    options.direction = wavesOf(asked, "direction", of);
+    options.isSample = asked.get<bool>("sample");
+    asked.read("seed", options.seed);
+    return patiently(asked, [=](const Wires& wires) {
+        return continuumOf(of.assembly, of.network, of.schedule, energy, wires.on(options));
+    });
+}
+
+/// A motion of bars, and the schedule that it follows.
+struct MotionInBars {
+    const SceneSchedule& of;
+    const NetworkClaim& motion;
+};
+MotionInBars motionIn(const SceneFindAnswer& answer, std::size_t)
+{
+    if (!answer.motions.motion) {
+        throw std::invalid_argument("no motion was found: there is nothing to draw or write");
+    }
+    return {answer.schedule, *answer.motions.motion};
+}
+MotionInBars motionIn(const SceneForcedAnswer& answer, std::size_t which)
+{
+    return {answer.schedule, answer.motions.at(which).claim};
+}
+MotionInBars motionIn(const SceneCurvePoint& point, std::size_t)
+{
+    return {point.of->schedule, point.point().motion};
+}
+
+/// Pictures and files of the motions of an answer.
+template <typename Answer>
+auto addMotions(py::module_& module)
+{
+    auto record = classOf<Answer>(module);
+    record
+        ->draws([](const Answer& a, std::size_t which) {
+            const auto [of, motion] = motionIn(a, which);
+            return periodFigure(of.network(), motion, of.bars.assembly.length);
+        })
+        .moves([](const Answer& a, std::size_t most, std::size_t which) {
+            const auto [of, motion] = motionIn(a, which);
+            const Network network = of.network();
+            return barsFrames(of.bars.assembly, network, shownPeriod(network, motion), most);
+        })
+        .more()
+        .def(
+            "write",
+            [](const Answer& a, const std::string& path, std::size_t which) {
+                const auto [of, motion] = motionIn(a, which);
+                OutputFiles files;
+                writeStateTable(files.stage(path), of.network(),
+                                {motion.waves, motion.displacements});
+                files.commit();
+            },
+            "Writes the state of a motion at t = 0: a table from which `simulate` starts, and that "
+            "`find` takes as a target. OSError if it cannot be written.",
+            py::arg("path"), py::arg("index") = 0);
+    return record;
 }
 
 }  // namespace
@@ -94,35 +341,29 @@ Answer find(const Asked& asked)
 void addFind(py::module_& module)
 {
     addClasses<Physical, FarkasCertificate, ProgramProof, SteppedProof, EnergyFloorProof,
-               EnergyExclusion, answers::SolutionSet, HeldEnergy, SolverReport, TentPlace,
-               Of<Damping>>(module);
-    classOf<Residuals>(module)->more().def("worst", &Residuals::worst, "The largest of them.");
+               EnergyExclusion, SolutionSet, HeldEnergy, SolverReport, TentPlace, Of<Damping>,
+               NetworkResiduals, SceneForcedMotion, SceneQuestionAnswer>(module);
+    classOf<Residuals>(module)->can("worst", "The largest of them.", &Residuals::worst);
     addResult(module);
-    addCall(module, "find", &find);
-    module.def("question", [](const py::dict& given, std::vector<Answer> sets) {
-        const Asked asked(given);
-        FindOptions options;
-        options.scene = asked.scene();
-        options.energyRatio = asked.energyRatio(answers::unitsOf(options.scene));
-        answers::QuestionAnswer answer =
-            answers::questionOf({asked.get<std::string>("option"), asked.get<std::string>("word"),
-                                 asked.get<std::int64_t>("steps")},
-                                asked.get<std::int64_t>("cells"), options);
-        answer.answers = std::move(sets);
-        return dictionaryOf(answer);
-    });
-    module.def("period_on_grid",
-               [](const std::string& name, const std::string& word, std::int64_t cells,
-                  const Bar& bar) { return answers::periodOnGrid(name, word, cells, bar).steps; });
-    module.def("period_exactly", [](const std::string& name, const std::string& word,
-                                    std::int64_t cells, const Bar& bar, std::int64_t cycles) {
-        const ExactPeriod exact = answers::periodExactly(name, word, cells, bar, cycles);
-        return std::pair(exact.numerator, exact.denominator);
-    });
-    module.def("schedules_of_period",
-               [](std::int64_t cells, std::int64_t steps, const Scene& scene) {
-                   return schedulesOfPeriod(cells, steps, stopsOf(scene).right);
-               });
+    addQuestions(module);
+    addCurve(module);
+    addMotions<SceneFindAnswer>(module);
+    addMotions<SceneForcedAnswer>(module);
+    addMotions<SceneCurvePoint>(module)->drawsScene(
+        [](const SceneCurvePoint& p) { return p.of->schedule.bars.assembly; });
+    classOf<SceneContinuumAnswer>(module)
+        ->can("member", {"lambda_"},
+              "The point of the curve nearest to a lambda. ValueError out of range.",
+              [](const SceneContinuumAnswer& c, double lambda) {
+                  return SceneCurvePoint{c.of, pointAt(c.curve(), lambda)};
+              })
+        .draws(&sceneContinuumFigure);
+    module.def("find", &find);
+    module.def("continuum", &continuum);
+    module.def("find_bars", &findInBars);
+    module.def("continuum_bars", &continuumInBars);
+    module.def("find_period_bars", &findPeriodInBars);
+    module.def("find_forced_bars", &findForcedInBars);
 }
 
 }  // namespace signorini::python

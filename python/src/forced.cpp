@@ -6,26 +6,15 @@
 #include "exact_figure.hpp"
 #include "forced_answer.hpp"
 #include "harmonic_answer.hpp"
-#include "motion.hpp"
 #include "response_answer.hpp"
 #include "scene_answer.hpp"
 #include "scene_figures.hpp"
 #include "scene_harmonic_answer.hpp"
 #include "share_work.hpp"
-#include "signorini/figures.hpp"
 #include "signorini/response.hpp"
-#include "stepped_bar.hpp"
 #include "stops.hpp"
 
 namespace signorini::python {
-
-using answers::ExactAnswer;
-using answers::ForcedAnswer;
-using answers::ForcedMotionOf;
-using answers::HarmonicAnswer;
-using answers::HarmonicContactOf;
-using answers::HarmonicMotionOf;
-using answers::ResponseAnswer;
 
 namespace {
 
@@ -50,7 +39,7 @@ ForcedAnswer findForced(const Asked& asked)
     Schedule schedule = asked.schedule();
     schedule.stops = stopsOf(scene);
     validate(schedule);
-    const Bar bar = answers::unitsOf(scene);
+    const Bar bar = unitsOf(scene);
     if (!asked.has("amplitude") && canRest(schedule.phases, schedule.stops)) {
         throw std::invalid_argument(
             "amplitude is missing: allowed numbers > 0 [N or m]: without a gap motions are as "
@@ -62,8 +51,8 @@ ForcedAnswer findForced(const Asked& asked)
     const auto amplitude = asked.maybe<double>("amplitude");
     const auto derivative = asked.get<int>("derivative");
     return findPatiently(asked, steps(schedule), [=](const Wires&) {
-        return answers::answerOf(forcedMotions(schedule, damping, forcing, limits, scene.segments),
-                                 scene, amplitude, derivative);
+        return answerOf(forcedMotions(schedule, damping, forcing, limits, scene.segments), scene,
+                        amplitude, derivative);
     });
 }
 
@@ -76,17 +65,17 @@ HarmonicAnswer findHarmonic(const Asked& asked)
     const auto cycles = asked.get<std::int64_t>("cycles");
     const Damping damping = asked.damping();
     const Excited place = asked.place();
-    const auto amplitude = asked.displacement(4.0 * static_cast<double>(cycles) / period.value(),
-                                              answers::unitsOf(scene));
+    const auto amplitude =
+        asked.displacement(4.0 * static_cast<double>(cycles) / period.value(), unitsOf(scene));
     const auto contacts = asked.get<std::int64_t>("contacts");
     const auto limit = asked.maybe<double>("strain_limit");
-    return patiently([=](const Wires& wires) {
-        return answers::within(limit, answers::answerOf(period, damping, place, cycles, *amplitude,
-                                                        scene, contacts, wires.cancel));
+    return patiently(asked, [=](const Wires& wires) {
+        return within(limit, answerOf(period, damping, place, cycles, *amplitude, scene, contacts,
+                                      wires.cancel));
     });
 }
 
-answers::SceneHarmonicAnswer findHarmonicBars(const Asked& asked)
+SceneHarmonicAnswer findHarmonicBars(const Asked& asked)
 {
     const Assembly assembly = asked.assembly();
     const auto cycles = asked.get<std::int64_t>("cycles");
@@ -95,13 +84,12 @@ answers::SceneHarmonicAnswer findHarmonicBars(const Asked& asked)
     const auto amplitude = asked.get<double>("amplitude");
     const auto derivative = asked.get<int>("derivative");
     const auto limit = asked.maybe<double>("strain_limit");
-    return patiently([=](const Wires&) {
-        return answers::within(
-            limit, answers::answerOf(assembly, place, cycles, steps, amplitude, derivative));
+    return patiently(asked, [=](const Wires&) {
+        return within(limit, answerOf(assembly, place, cycles, steps, amplitude, derivative));
     });
 }
 
-answers::ForceRange forceRange(const Asked& asked)
+ForceRange forceRange(const Asked& asked)
 {
     const Assembly assembly = asked.assembly();
     const auto low = asked.inUnit("low", "N");
@@ -110,8 +98,7 @@ answers::ForceRange forceRange(const Asked& asked)
     if (!(low <= high && std::isfinite(high - low))) {
         throwFault("low, high", fmt::format("{}, {}", low, high), "finite low <= high [N]");
     }
-    return patiently(
-        [=](const Wires&) { return answers::forceRangeOf(assembly, low, high, time); });
+    return patiently(asked, [=](const Wires&) { return forceRangeOf(assembly, low, high, time); });
 }
 
 /// What is asked of a response, without answers yet.
@@ -119,7 +106,7 @@ ResponseAnswer responseAsked(const Asked& asked)
 {
     const Scene scene = asked.scene();
     validate(scene);
-    const Bar bar = answers::unitsOf(scene);
+    const Bar bar = unitsOf(scene);
     const Excited place = asked.place();
     const auto derivative = asked.get<int>("derivative");
     const auto amplitude = asked.get<double>("amplitude");
@@ -142,8 +129,7 @@ ResponseAnswer responseAsked(const Asked& asked)
     } catch (const std::invalid_argument& error) {
         const double most = answer.range.mostFrequencyRatio;
         throw std::invalid_argument(
-            most < answers::likelyHertz ||
-                    !std::string_view(error.what()).starts_with("frequency ratios")
+            most < likelyHertz || !std::string_view(error.what()).starts_with("frequency ratios")
                 ? error.what()
                 : fmt::format("{}; {:.6g} [omega_1] looks like Hz: to=\"{:.6g}Hz\"", error.what(),
                               most, most));
@@ -151,51 +137,48 @@ ResponseAnswer responseAsked(const Asked& asked)
     return answer;
 }
 
+/// What is answered at each frequency of a range, on threads.
+template <typename Answer, typename Range, typename At>
+Answer overFrequencies(const Asked& asked, Answer answer, Range range, At at)
+{
+    const auto threads = asked.get<std::int64_t>("threads");
+    return patiently(asked, [=](const Wires& wires) mutable {
+        answer.frequencies = shareOut(
+            stepsOf(range), threads, [&](std::int64_t n) { return at(answer, n, wires.cancel); },
+            wires.progress);
+        if constexpr (requires { answer.branches; }) {
+            answer.branches = exactBranches(range, answer.frequencies, wires.cancel);
+        }
+        return answer;
+    });
+}
+
 ResponseAnswer response(const Asked& asked)
 {
-    ResponseAnswer answer = responseAsked(asked);
-    const auto threads = asked.get<std::int64_t>("threads");
+    const ResponseAnswer answer = responseAsked(asked);
     const bool stability = asked.get<bool>("stability");
-    return patiently(
-        [answer, stability, threads](const Wires& wires) mutable {
-            answer.frequencies = shareOut(
-                stepsOf(answer.range), threads,
-                [&](std::int64_t n) {
-                    return answers::frequencyAt(answer.range, n, stability, wires.cancel);
-                },
-                wires.progress);
-            return answer;
-        },
-        asked.progress());
+    return overFrequencies(asked, answer, answer.range, [=](const auto& of, auto n, auto cancel) {
+        return frequencyAt(of.range, n, stability, cancel);
+    });
 }
 
 /// Under the harmonic itself in place of a staircase.
 ExactAnswer exactResponse(const Asked& asked)
 {
-    const ResponseAnswer question = responseAsked(asked);
-    const auto threads = asked.get<std::int64_t>("threads");
-    return patiently(
-        [question, threads](const Wires& wires) {
-            ExactAnswer answer{
-                question.range, question.scene, question.bar, question.amplitude, {}, {}};
-            answer.frequencies = shareOut(
-                stepsOf(answer.range), threads,
-                [&](std::int64_t n) { return exactAt(answer.range, n, wires.cancel); },
-                wires.progress);
-            answer.branches = exactBranches(answer.range, answer.frequencies, wires.cancel);
-            return answer;
-        },
-        asked.progress());
+    const ResponseAnswer like = responseAsked(asked);
+    return overFrequencies(
+        asked, ExactAnswer{like.range, like.scene, like.bar, like.amplitude, {}, {}}, like.range,
+        [](const auto& of, auto n, auto cancel) { return exactAt(of.range, n, cancel); });
 }
 
-answers::SceneResponse responseOfBars(const Asked& asked)
+SceneResponse responseOfBars(const Asked& asked)
 {
     const Assembly assembly = asked.assembly();
     const Network network = networkOf(assembly);
-    const double first = answers::firstHertz(referenceOf(network));
+    const double first = firstHertz(referenceOf(network));
     const bool vibrates = first > 0.0;
     const Bar units =  // or one whose omega_1 is 1 Hz
-        vibrates ? answers::unitsOf(assembly, network) : Bar{.waveSpeed = 4.0};
+        vibrates ? unitsOf(assembly, network) : Bar{.waveSpeed = 4.0};
     const auto hertz = [&](const char* name) {
         if (!vibrates && !py::isinstance<py::str>(asked.object(name))) {
             throw std::invalid_argument(
@@ -203,45 +186,37 @@ answers::SceneResponse responseOfBars(const Asked& asked)
         }
         return asked.frequency(name, units) * (vibrates ? first : 1.0);
     };
-    const answers::SceneRange range{asked.place(),
-                                    asked.get<double>("amplitude"),
-                                    asked.get<int>("derivative"),
-                                    asked.get<std::int64_t>("cycles"),
-                                    hertz("start"),
-                                    hertz("to"),
-                                    asked.get<bool>("exact"),
-                                    asked.get<bool>("stability")};
-    const auto threads = asked.get<std::int64_t>("threads");
-    return patiently(
-        [=](const Wires& wires) {
-            answers::SceneResponse answer = answers::responseOf(assembly, range);
-            answer.frequencies = shareOut(
-                stepsOf(answer), threads,
-                [&](std::int64_t n) { return frequencyAt(answer, n, wires.cancel); },
-                wires.progress);
-            return answer;
-        },
-        asked.progress());
+    const SceneRange range{asked.place(),
+                           asked.get<double>("amplitude"),
+                           asked.get<int>("derivative"),
+                           asked.get<std::int64_t>("cycles"),
+                           hertz("start"),
+                           hertz("to"),
+                           asked.get<bool>("exact"),
+                           asked.get<bool>("stability")};
+    const SceneResponse answer = responseOf(assembly, range);
+    return overFrequencies(asked, answer, answer, [](const auto& of, auto n, auto cancel) {
+        return frequencyAt(of, n, cancel);
+    });
 }
 
 }  // namespace
 
 void addForced(py::module_& module)
 {
-    addClasses<HarmonicContactOf, HarmonicMotionOf, answers::SceneHarmonicMotion,
-               answers::PermanentOf, answers::FrequencyOf, answers::ExactFrequencyOf,
-               answers::BranchPointOf, answers::BranchMarkOf, answers::ExactBranchOf,
-               answers::SceneFrequency, answers::ForceRange>(module);
+    addClasses<HarmonicContactOf, HarmonicMotionOf, SceneHarmonicMotion, PermanentOf, FrequencyOf,
+               ExactFrequencyOf, BranchPointOf, BranchMarkOf, ExactBranchOf, SceneFrequency,
+               ForceRange>(module);
     addMotionOf(module);
     classOf<ForcedAnswer>(module)
         ->draws([](const ForcedAnswer& a, std::size_t k) {
             return motionFigure(a.motions.at(k).value, a.scene);
         })
         .moves([](const ForcedAnswer& a, std::size_t most, std::size_t k) {
-            const Motion field = answers::fieldOf(a.motions.at(k).value, a.scene.segments);
+            const Motion field = fieldOf(a.motions.at(k).value, a.scene.segments);
             return motionFrames(MotionSamples(field, a.scene), most);
         });
-    addCall(module, "find_forced", &findForced);
+    module.def("find_forced", &findForced);
     const auto field = [](const HarmonicAnswer& a, std::size_t k) {
         return HarmonicField(a.given(), a.motions.at(k).value);
     };
@@ -252,26 +227,24 @@ void addForced(py::module_& module)
         .moves([field](const HarmonicAnswer& a, std::size_t most, std::size_t k) {
             return motionFrames(MotionSamples(field(a, k), a.scene, usualCells), most);
         });
-    addCall(module, "find_harmonic", &findHarmonic);
-    classOf<answers::SceneHarmonicAnswer>(module)
-        ->draws([](const answers::SceneHarmonicAnswer& a, std::size_t k) {
-            return harmonicFigure(a, k);
-        })
-        .moves([](const answers::SceneHarmonicAnswer& a, std::size_t most, std::size_t k) {
+    module.def("find_harmonic", &findHarmonic);
+    classOf<SceneHarmonicAnswer>(module)
+        ->draws([](const SceneHarmonicAnswer& a, std::size_t k) { return harmonicFigure(a, k); })
+        .moves([](const SceneHarmonicAnswer& a, std::size_t most, std::size_t k) {
             return barsFrames(a.bars.assembly, networkOf(a.bars.assembly), shownPeriod(a, k), most);
         });
-    addCall(module, "find_harmonic_bars", &findHarmonicBars);
-    addCall(module, "force_range", &forceRange);
+    module.def("find_harmonic_bars", &findHarmonicBars);
+    module.def("force_range", &forceRange);
     classOf<ResponseAnswer>(module)->draws([](const ResponseAnswer& answer) {
         return responseFigure(answer.frequencies, answer.range, answer.bar);
     });
-    addCall(module, "response", &response);
+    module.def("response", &response);
     classOf<ExactAnswer>(module)->draws([](const ExactAnswer& answer) {
         return exactFigure(answer.frequencies, answer.branches, answer.range, answer.bar);
     });
-    addCall(module, "exact_response", &exactResponse);
-    classOf<answers::SceneResponse>(module)->draws(&sceneResponseFigure);
-    addCall(module, "response_bars", &responseOfBars);
+    module.def("exact_response", &exactResponse);
+    classOf<SceneResponse>(module)->draws(&sceneResponseFigure);
+    module.def("response_bars", &responseOfBars);
 }
 
 }  // namespace signorini::python

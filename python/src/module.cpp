@@ -1,23 +1,14 @@
 // The module signorini._core: the library's calls and answers, for the package around it.
 
-#include <fmt/format.h>
-#include <pybind11/pybind11.h>
-#include <pybind11/stl.h>
-
 #include <algorithm>
+#include <array>
 #include <cctype>
-#include <map>
-#include <stdexcept>
-#include <string>
+#include <regex>
 
-#include "arrays.hpp"
 #include "calls.hpp"
-#include "motion.hpp"
 #include "options.hpp"
 #include "palette.hpp"
-#include "scene.hpp"
 #include "signorini/config.hpp"
-#include "signorini/control.hpp"
 #include "solver.hpp"
 
 namespace signorini::python {
@@ -25,28 +16,16 @@ namespace signorini::python {
 namespace {
 
 /// The library's words with its names as Python has them: "maxOrder = 0 ..." is of max_order.
-std::string inPython(const std::string& words)
+std::string inPython(std::string words)
 {
-    std::string text;
-    for (std::size_t k = 0; k < words.size(); ++k) {
-        const std::size_t end = words.find_first_of(" \n,;:.()", k);
-        const bool isName = end != std::string::npos && words.compare(end, 3, " = ") == 0;
-        const bool isHump = k > 0 && std::islower(static_cast<unsigned char>(words[k - 1])) != 0 &&
-                            std::isupper(static_cast<unsigned char>(words[k])) != 0;
-        if (isName && isHump) {
-            text += '_';
-            text += static_cast<char>(std::tolower(static_cast<unsigned char>(words[k])));
-        } else {
-            text += words[k];
-        }
+    static const std::regex hump(
+        R"([a-z](?=[A-Z][^ \n,;:.()]* = )|wave(?=Speed)|axial(?=Stiffness))");
+    for (std::smatch at; std::regex_search(words, at, hump);) {
+        const auto upper = static_cast<std::size_t>(at.position() + at.length());
+        const int lower = std::tolower(static_cast<unsigned char>(words[upper]));
+        words.replace(upper, 1, {'_', static_cast<char>(lower)});
     }
-    for (const auto& [name, inWords] :
-         {std::pair{"waveSpeed", "wave_speed"}, std::pair{"axialStiffness", "axial_stiffness"}}) {
-        for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name)) {
-            text.replace(at, std::string_view(name).size(), inWords);
-        }
-    }
-    return text;
+    return words;
 }
 
 void addErrors(py::module_& module)
@@ -89,31 +68,25 @@ py::dict versionsOfBackends()
 }
 
 /// What the program's options of a question mean, by their names as Python has them.
-py::dict optionsOf(const std::string& question)
+py::dict meaningsOf(const std::string& question)
 {
-    namespace asks = answers::asks;
-    static const std::map<std::string, unsigned> questions{{"find", asks::find},
-                                                           {"schedule", asks::schedule},
-                                                           {"continuum", asks::continuum},
-                                                           {"families", asks::families},
-                                                           {"modes", asks::modes},
-                                                           {"mode", asks::mode},
-                                                           {"atlas", asks::atlas},
-                                                           {"response", asks::response},
-                                                           {"sweep", asks::sweep},
-                                                           {"simulation", asks::simulation},
-                                                           {"figure", 0}};
+    static constexpr std::array questions{
+        Named{asks::find, "find"},           Named{asks::schedule, "schedule"},
+        Named{asks::continuum, "continuum"}, Named{asks::families, "families"},
+        Named{asks::modes, "modes"},         Named{asks::mode, "mode"},
+        Named{asks::atlas, "atlas"},         Named{asks::response, "response"},
+        Named{asks::sweep, "sweep"},         Named{asks::simulation, "simulation"}};
+    const unsigned asked = valueIn(questions, question).value_or(0);  // of a figure none
     py::dict meanings;
-    for (const answers::Option& option : answers::options()) {
+    for (const Option& option : options()) {
         std::string name(option.name.substr(2));
         std::replace(name.begin(), name.end(), '-', '_');
-        if ((option.of & questions.at(question)) != 0 && !meanings.contains(name.c_str())) {
+        if ((option.of & asked) != 0 && !meanings.contains(name.c_str())) {
             const bool hasUnit =
                 option.unit != "-" && option.sentence.find('[') == std::string::npos;
-            meanings[name.c_str()] =
-                fmt::format("{}{}{}.", option.sentence,
-                            option.takes == answers::Takes::choice ? ": " + option.type : "",
-                            hasUnit ? fmt::format(" [{}]", option.unit) : std::string());
+            meanings[name.c_str()] = fmt::format(
+                "{}{}{}.", option.sentence, option.takes == Takes::choice ? ": " + option.type : "",
+                hasUnit ? fmt::format(" [{}]", option.unit) : std::string());
         }
     }
     return meanings;
@@ -129,7 +102,7 @@ PYBIND11_MODULE(_core, module)
     module.attr("__version__") = SIGNORINI_VERSION;
     module.def("palette", &colours);
     module.def("backends", &versionsOfBackends);
-    module.def("options", &optionsOf);
+    module.def("options", &meaningsOf);
     module.def("quantity",
                [](const std::string& name, const std::string& text, const std::string& unit) {
                    return quantityOf(name, text, unit.empty() ? unitOfOption(name) : unit);
@@ -138,14 +111,10 @@ PYBIND11_MODULE(_core, module)
     addScene(module);
     addMotion(module);
     addFind(module);
-    addLists(module);
-    addPolytopes(module);
-    addContinuum(module);
+    addModes(module);
     addAtlas(module);
     addForced(module);
     addSimulate(module);
-    addSceneFind(module);
-    addSceneSimulation(module);
     addSweep(module);
 }
 

@@ -1,12 +1,4 @@
-#include "motion.hpp"
-
-#include <pybind11/stl.h>
-
-#include "arrays.hpp"
-#include "described.hpp"
-#include "faults.hpp"
-#include "signorini/figures.hpp"
-#include "signorini/output.hpp"
+#include "calls.hpp"
 
 namespace signorini::python {
 
@@ -15,6 +7,34 @@ struct Members<GridMotion> {
     static constexpr auto list =
         std::tuple{&GridMotion::state, &GridMotion::schedule, &GridMotion::scene, &GridMotion::bar};
 };
+
+/// Motions are made anew of what they are the motions of.
+using KeptMode = std::tuple<Mode, Bar, double, double>;
+template <>
+inline void pass(Writer& to, const ModeAnswer& m)
+{
+    const KeptMode kept{m.mode, m.bar, m.motion.period(), m.gravity};
+    pass(to, kept);
+}
+template <>
+inline ModeAnswer take(Reader& from)
+{
+    const auto [mode, bar, period, gravity] = take<KeptMode>(from);
+    return motionOf(mode, bar, period, gravity);
+}
+using KeptPolytope = std::tuple<ModePolytope, Bar, ModePoint>;
+template <>
+inline void pass(Writer& to, const PolytopeAnswer& m)
+{
+    const KeptPolytope kept{m.polytope, m.bar, m.point};
+    pass(to, kept);
+}
+template <>
+inline PolytopeAnswer take(Reader& from)
+{
+    const auto [polytope, bar, point] = take<KeptPolytope>(from);
+    return {polytope, bar, point, ModeMotion(polytope, point)};
+}
 
 namespace {
 
@@ -116,6 +136,32 @@ void addFieldsOf(Record<T>& record)
     }
 }
 
+/// What motions of modes and of polytopes share.
+template <typename Answer>
+void addMotionOf(py::module_& module)
+{
+    const auto record = classOf<Answer>(module);
+    record
+        ->has("amplitude_ratio", "h = |p| [g/L].",
+              [](const Answer& m) { return m.motion.amplitude(); })
+        .has("jump_times_ratio",
+             "Where p changes its sign, ascending [L/c]: the first is the end of the first "
+             "contact; no copy.",
+             [](const std::shared_ptr<Answer>& m) {
+                 const auto& times = m->motion.jumpTimes();
+                 return view(times.data(), times.size(), m);
+             })
+        .can("p", {"t_ratio"}, "The wave arriving at the tip [g/L] at t [L/c], any array.",
+             [](const Answer& m, const py::object& t) {
+                 return onPeriods(t, [&m](double instant) { return m.motion.incoming(instant); });
+             })
+        .can("state", {"cells"}, "At t = 0, the means over each of N cells.",
+             [](const Answer& m, std::int64_t cells) {
+                 return StateOf{std::make_shared<const State>(cellMeans(m.motion, cells)), m.bar};
+             });
+    addFieldsOf(*record);
+}
+
 StateOf stateAt(const GridMotion& m, std::int64_t step)
 {
     const Motion& field = *m.field();
@@ -157,10 +203,7 @@ void addMotion(py::module_& module)
         .has("bar", "Its units.", &GridMotion::bar)
         .has("scene", "Where it happens.", &GridMotion::scene)
         .has("schedule", "That it follows.", &GridMotion::schedule)
-        .has("state", "At t = 0.",
-             [](const GridMotion& m) {
-                 return StateOf{m.state, m.bar, m.scene.segments};
-             })
+        .has("state", "At t = 0.", &GridMotion::start)
         .has("cells", "N.", [](const GridMotion& m) { return m.schedule.cells; })
         .has("steps",
              "n, steps after which the motion is back at its start: those of the schedule, less "
@@ -191,6 +234,8 @@ void addMotion(py::module_& module)
               })
         .can("state_at", {"step"}, "The state right after t_m.", &stateAt);
     addFieldsOf(record);
+    addMotionOf<ModeAnswer>(module);
+    addMotionOf<PolytopeAnswer>(module);
 }
 
 const std::shared_ptr<const Motion>& GridMotion::field() const
@@ -201,16 +246,6 @@ const std::shared_ptr<const Motion>& GridMotion::field() const
                      : std::make_shared<const Motion>(*state, schedule, scene.segments);
     }
     return field_;
-}
-
-void addModeFields(Record<ModeAnswer>& record)
-{
-    addFieldsOf(record);
-}
-
-void addModeFields(Record<PolytopeAnswer>& record)
-{
-    addFieldsOf(record);
 }
 
 }  // namespace signorini::python

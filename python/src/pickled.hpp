@@ -1,6 +1,7 @@
 #pragma once
 /// \file
 /// C++ values as bytes, and back: what a pickle holds. Two values are equal if their bytes are.
+/// Plain structs of the library go member by member, as C++ itself counts these.
 
 #include <pybind11/pybind11.h>
 
@@ -8,61 +9,156 @@
 #include <algorithm>
 #include <array>
 #include <complex>
-#include <cstdint>
-#include <cstring>
 #include <limits>
-#include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
+#include <tuple>
 #include <vector>
 
 #include "description.hpp"
-#include "members.hpp"
+#include "signorini/signorini.hpp"
 
 namespace signorini::python {
 
 namespace py = pybind11;
+using namespace answers;
+
+/// Pointers to the members of a T that count, where that is not simply all of them.
+template <typename T>
+struct Members {
+};
+template <>
+struct Members<Scene> {
+    static constexpr auto list = std::tuple{&Scene::bar, &Scene::secondStop, &Scene::segments};
+};
+
+template <typename A, typename B>
+struct Members<std::pair<A, B>> {
+    static constexpr auto list = std::tuple{&std::pair<A, B>::first, &std::pair<A, B>::second};
+};
+
+template <typename T>
+concept HasList = requires
+{
+    Members<T>::list;
+};
+
+/// Can two of them be compared, and pickled?
+template <typename T>
+inline constexpr bool isKept = HasList<T> || std::is_aggregate_v<T>;
+
+namespace detail {
+
+/// Becomes any member in a braced list.
+struct AnyMember {
+    template <typename T>
+    operator T() const;  // NOLINT: that it converts is its purpose
+};
+
+template <typename T, typename... Given>
+constexpr std::size_t countMembers()
+{
+    if constexpr (requires { T{Given{}..., AnyMember{}}; }) {
+        return countMembers<T, Given..., AnyMember>();
+    } else {
+        return sizeof...(Given);
+    }
+}
+
+}  // namespace detail
+
+/// An answer, and what Python has of it beside its keys.
+template <typename Answer, typename More>
+struct With : Answer {
+    More more;
+};
+template <typename D, typename Answer, typename More>
+void describe(D& d, Type<With<Answer, More>>)
+{
+    describe(d, Type<Answer>());
+}
+
+/// Calls a function with all members of a value, in the order of their declaration.
+template <typename T, typename Do>
+constexpr void withMembers(T& value, Do doWith)
+{
+    using Plain = std::remove_const_t<T>;
+    if constexpr (HasList<Plain>) {
+        std::apply([&](auto... member) { doWith(value.*member...); }, Members<Plain>::list);
+    } else if constexpr (isA<Plain, With>) {
+        [&]<typename Answer, typename More>(const With<Answer, More>&) {
+            using Base = std::conditional_t<std::is_const_v<T>, const Answer, Answer>;
+            withMembers(static_cast<Base&>(value), doWith);
+        }(value);
+        doWith(value.more);
+    } else {
+        constexpr std::size_t count = detail::countMembers<Plain>();
+        static_assert(count > 0 && count <= 21, "as many as there are lines here");
+#define SIGNORINI_IF_MEMBERS(number, ...) \
+    if constexpr (count == (number)) {    \
+        auto& [__VA_ARGS__] = value;      \
+        doWith(__VA_ARGS__);              \
+    }
+        SIGNORINI_IF_MEMBERS(1, a)
+        SIGNORINI_IF_MEMBERS(2, a, b)
+        SIGNORINI_IF_MEMBERS(3, a, b, c)
+        SIGNORINI_IF_MEMBERS(4, a, b, c, d)
+        SIGNORINI_IF_MEMBERS(5, a, b, c, d, e)
+        SIGNORINI_IF_MEMBERS(6, a, b, c, d, e, f)
+        SIGNORINI_IF_MEMBERS(7, a, b, c, d, e, f, g)
+        SIGNORINI_IF_MEMBERS(8, a, b, c, d, e, f, g, h)
+        SIGNORINI_IF_MEMBERS(9, a, b, c, d, e, f, g, h, i)
+        SIGNORINI_IF_MEMBERS(10, a, b, c, d, e, f, g, h, i, j)
+        SIGNORINI_IF_MEMBERS(11, a, b, c, d, e, f, g, h, i, j, k)
+        SIGNORINI_IF_MEMBERS(12, a, b, c, d, e, f, g, h, i, j, k, l)
+        SIGNORINI_IF_MEMBERS(13, a, b, c, d, e, f, g, h, i, j, k, l, m)
+        SIGNORINI_IF_MEMBERS(14, a, b, c, d, e, f, g, h, i, j, k, l, m, n)
+        SIGNORINI_IF_MEMBERS(15, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o)
+        SIGNORINI_IF_MEMBERS(16, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p)
+        SIGNORINI_IF_MEMBERS(17, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q)
+        SIGNORINI_IF_MEMBERS(18, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r)
+        SIGNORINI_IF_MEMBERS(19, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s)
+        SIGNORINI_IF_MEMBERS(20, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t)
+        SIGNORINI_IF_MEMBERS(21, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u)
+#undef SIGNORINI_IF_MEMBERS
+    }
+}
 
 /// \throws ValueError that says so.
 [[noreturn]] void refusePickle();
 
 /// Where values go.
 struct Writer {
+    static constexpr bool reads = false;
     bool isCompared = false;  ///< then without stopwatches; a zero has no sign, and NaN is NaN
     std::string bytes = {};
 
     template <typename Number>
     void raw(Number number)
     {
+        if constexpr (std::is_floating_point_v<Number>) {
+            const Number same =
+                number == number ? number + Number{0} : std::numeric_limits<Number>::quiet_NaN();
+            number = isCompared ? same : number;
+        }
         bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
     }
 };
 
 /// Where they come from. \throws ValueError at the end of it.
 struct Reader {
+    static constexpr bool reads = true;
     std::string_view bytes;
 
     template <typename Number>
-    [[nodiscard]] Number raw()
+    void raw(Number& number)
     {
-        Number number{};
-        if (bytes.size() < sizeof number) {
+        if (bytes.size() < sizeof number ||
+            (std::is_same_v<Number, bool> && static_cast<unsigned char>(bytes.front()) > 1)) {
             refusePickle();
         }
         std::memcpy(&number, bytes.data(), sizeof number);
         bytes.remove_prefix(sizeof number);
-        return number;
-    }
-    /// How many of what needs a byte at least.
-    [[nodiscard]] std::size_t count()
-    {
-        const auto size = raw<std::uint64_t>();
-        if (size > bytes.size()) {
-            refusePickle();
-        }
-        return static_cast<std::size_t>(size);
     }
 };
 
@@ -73,47 +169,8 @@ inline constexpr bool isArray<std::array<T, size>> = true;
 
 /// Is it a list of a length of its own?
 template <typename T>
-inline constexpr bool isList = answers::isA<T, std::vector> || std::is_same_v<T, std::string> ||
-                               std::is_same_v<T, Eigen::VectorXd>;
-
-template <typename T>
-void put(Writer& to, const T& value)
-{
-    if constexpr (std::is_floating_point_v<T>) {
-        const T same = value == value ? value + T{0} : std::numeric_limits<T>::quiet_NaN();
-        to.raw(to.isCompared ? same : value);
-    } else if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>) {
-        to.raw(value);
-    } else if constexpr (std::is_same_v<T, std::complex<double>>) {
-        put(to, value.real());
-        put(to, value.imag());
-    } else if constexpr (answers::isA<T, std::optional>) {
-        to.raw(value.has_value());
-        if (value) {
-            put(to, *value);
-        }
-    } else if constexpr (answers::isA<T, std::variant>) {
-        to.raw(static_cast<std::uint64_t>(value.index()));
-        std::visit([&to](const auto& held) { put(to, held); }, value);
-    } else if constexpr (answers::isA<T, std::shared_ptr>) {
-        put(to, *value);
-    } else if constexpr (isArray<T>) {
-        for (const auto& item : value) {
-            put(to, item);
-        }
-    } else if constexpr (isList<T>) {
-        to.raw(static_cast<std::uint64_t>(value.size()));
-        for (const typename T::value_type& item : value) {
-            put(to, item);
-        }
-    } else if constexpr (requires { value.seconds; }) {
-        T timeless = value;
-        timeless.seconds = to.isCompared ? 0.0 : value.seconds;
-        withMembers(timeless, [&to](const auto&... member) { (put(to, member), ...); });
-    } else {
-        withMembers(value, [&to](const auto&... member) { (put(to, member), ...); });
-    }
-}
+inline constexpr bool isList =
+    isA<T, std::vector> || std::is_same_v<T, std::string> || std::is_same_v<T, Eigen::VectorXd>;
 
 /// \throws ValueError on what is none of the library's values.
 template <typename T>
@@ -137,87 +194,114 @@ void check(const T& value)
     }
 }
 
+template <typename Bytes, typename T>
+void pass(Bytes& at, T& value);
+
+/// The next value of a type.
 template <typename T>
 [[nodiscard]] T take(Reader& from)
 {
-    if constexpr (std::is_same_v<T, bool>) {
-        const auto bit = from.raw<unsigned char>();
-        if (bit > 1) {
-            refusePickle();
+    T value{};
+    pass(from, value);
+    return value;
+}
+
+/// How many, and each: what is there, or as many as are said to come.
+template <typename Bytes, typename List>
+void passList(Bytes& at, List& list)
+{
+    using Item = typename List::value_type;
+    auto left = static_cast<std::uint64_t>(list.size());
+    at.raw(left);
+    if constexpr (Bytes::reads) {
+        std::vector<Item> items;
+        for (; left > 0; --left) {
+            items.push_back(take<Item>(at));
         }
-        return bit == 1;
-    } else if constexpr (std::is_arithmetic_v<T>) {
-        return from.raw<T>();
-    } else if constexpr (std::is_same_v<T, std::complex<double>>) {
-        const auto real = from.raw<double>();
-        return {real, from.raw<double>()};
-    } else if constexpr (answers::isA<T, std::optional>) {
-        return take<bool>(from) ? T(take<typename T::value_type>(from)) : T();
-    } else if constexpr (answers::isA<T, std::variant>) {
-        const auto index = from.raw<std::uint64_t>();
-        T value;
-        const auto takeOne = [&]<std::size_t... k>(std::index_sequence<k...>)
-        {
-            return ((index == k && (value = take<std::variant_alternative_t<k, T>>(from), true)) ||
-                    ...);
-        };
-        if (!takeOne(std::make_index_sequence<std::variant_size_v<T>>())) {
-            refusePickle();
-        }
-        return value;
-    } else if constexpr (answers::isA<T, std::shared_ptr>) {
-        return std::make_shared<typename T::element_type>(
-            take<std::remove_const_t<typename T::element_type>>(from));
-    } else if constexpr (isList<T>) {
-        std::vector<typename T::value_type> list;
-        for (std::size_t left = from.count(); left > 0; --left) {
-            list.push_back(take<typename T::value_type>(from));
-        }
-        if constexpr (std::is_same_v<T, Eigen::VectorXd>) {
-            return Eigen::VectorXd::Map(list.data(), static_cast<Eigen::Index>(list.size()));
+        if constexpr (std::is_same_v<List, Eigen::VectorXd>) {
+            list = Eigen::VectorXd::Map(items.data(), static_cast<Eigen::Index>(items.size()));
         } else {
-            return T(list.begin(), list.end());
+            list.assign(items.begin(), items.end());
         }
     } else {
-        T value{};
-        if constexpr (std::is_enum_v<T>) {
-            value = from.raw<T>();
-        } else if constexpr (isArray<T>) {
-            for (auto& item : value) {
-                item = take<std::remove_cvref_t<decltype(item)>>(from);
-            }
-        } else {
-            withMembers(value, [&from](auto&... member) {
-                ((member = take<std::remove_cvref_t<decltype(member)>>(from)), ...);
-            });
+        for (const Item& item : list) {
+            pass(at, item);
         }
-        check(value);
-        return value;
     }
 }
 
-/// What a set was decided with: it is solved for anew.
-template <>
-inline void put(Writer& /*to*/, const std::shared_ptr<const NetworkForced>& /*value*/)
+/// Which of a variant, and that.
+template <typename Bytes, typename Variant, std::size_t... k>
+void passVariant(Bytes& at, Variant& value, std::index_sequence<k...>)
 {
+    auto index = static_cast<std::uint64_t>(value.index());
+    at.raw(index);
+    if constexpr (Bytes::reads) {
+        if (!((index == k && (value.template emplace<k>(), true)) || ...)) {
+            refusePickle();
+        }
+    }
+    std::visit([&at](auto& held) { pass(at, held); }, value);
 }
-template <>
-inline std::shared_ptr<const NetworkForced> take(Reader& /*from*/)
+
+/// A value into a Writer, or out of a Reader.
+template <typename Bytes, typename T>
+void pass(Bytes& at, T& value)
 {
-    return {};
+    using Plain = std::remove_const_t<T>;
+    const auto passEach = [&at](auto&... member) { (pass(at, member), ...); };
+    if constexpr (std::is_arithmetic_v<Plain> || std::is_enum_v<Plain>) {
+        at.raw(value);
+    } else if constexpr (std::is_same_v<Plain, std::complex<double>>) {
+        std::array parts{value.real(), value.imag()};
+        pass(at, parts);
+        if constexpr (Bytes::reads) {
+            value = {parts[0], parts[1]};
+        }
+    } else if constexpr (isA<Plain, std::optional>) {
+        bool isThere = value.has_value();
+        at.raw(isThere);
+        if constexpr (Bytes::reads) {
+            if (isThere) {
+                value.emplace();
+            }
+        }
+        if (isThere) {
+            pass(at, *value);
+        }
+    } else if constexpr (isA<Plain, std::variant>) {
+        passVariant(at, value, std::make_index_sequence<std::variant_size_v<Plain>>());
+    } else if constexpr (std::is_same_v<Plain, std::shared_ptr<const NetworkForced>>) {
+        // What a set was decided with is solved for anew.
+    } else if constexpr (isA<Plain, std::shared_ptr>) {
+        using Held = typename Plain::element_type;
+        if constexpr (Bytes::reads) {
+            value = std::make_shared<Held>(take<std::remove_const_t<Held>>(at));
+        } else {
+            pass(at, *value);
+        }
+    } else if constexpr (isArray<Plain> || isA<Plain, std::tuple>) {
+        std::apply(passEach, value);
+    } else if constexpr (isList<Plain>) {
+        passList(at, value);
+    } else if constexpr (!Bytes::reads && requires { value.seconds; }) {
+        Plain timeless = value;
+        timeless.seconds = at.isCompared ? 0.0 : value.seconds;
+        withMembers(timeless, passEach);
+    } else {
+        withMembers(value, passEach);
+    }
+    if constexpr (Bytes::reads) {
+        check(value);
+    }
 }
 
 template <typename T>
 [[nodiscard]] std::string bytesOf(const T& value, bool isCompared)
 {
     Writer to{isCompared};
-    put(to, value);
+    pass(to, value);
     return to.bytes;
 }
-
-/// The bytes of an object of a class, and a new value of all of them, nullptr
-/// if some are left.
-using BytesOf = std::string (*)(py::handle value, bool isCompared);
-using MadeOf = void* (*)(Reader& from);
 
 }  // namespace signorini::python

@@ -1,10 +1,5 @@
 #include "record.hpp"
 
-#include <new>
-
-#include "mapped.hpp"
-#include "signorini/config.hpp"
-
 namespace signorini::python {
 
 namespace {
@@ -20,51 +15,7 @@ py::handle valued(py::handle object, const py::handle& type)
     return object;
 }
 
-/// Changes with what is held, the class, and the version of the library.
-py::object sumOf(const py::handle& type, const py::object& content)
-{
-    // Format 2 writes equal values equally, shared or not.
-    const py::object bytes = py::module_::import("marshal").attr("dumps")(content, 2);
-    const py::object sum = py::module_::import("zlib").attr("crc32");
-    const py::str maker = py::str(SIGNORINI_VERSION " {}").format(type.attr("__name__"));
-    return sum(bytes, sum(maker.attr("encode")()));
-}
-
-/// The state of a pickle of this class: what it holds, and a sum over it, the class and the
-/// version.
-py::tuple sealed(const py::handle& type, const std::string& content)
-{
-    const py::bytes bytes(content);
-    return py::make_tuple(bytes, sumOf(type, bytes));
-}
-
-/// The value in it. \throws ValueError if it was changed on its way, or is not of this version and
-/// class.
-void* opened(const py::handle& type, const py::object& state, MadeOf made)
-{
-    try {
-        const auto tuple = py::cast<py::tuple>(state);
-        if (tuple.size() == 2 && sumOf(type, tuple[0]).equal(tuple[1])) {
-            const auto bytes = py::cast<std::string>(py::cast<py::bytes>(tuple[0]));
-            Reader from{bytes};
-            if (void* value = made(from)) {
-                return value;
-            }
-        }
-    } catch (const std::bad_alloc&) {
-        throw;
-    } catch (const std::exception&) {
-        refusePickle();
-    }
-    refusePickle();
-}
-
 }  // namespace
-
-std::vector<std::string> eachAsJson(const std::vector<FigureData>& figures)
-{
-    return mapped(figures, plot::asJson);
-}
 
 ClassOfRecord::~ClassOfRecord()
 {
@@ -107,28 +58,15 @@ void ClassOfRecord::addBoth(const std::string& name, const char* unit, const cha
 void ClassOfRecord::addBytes(BytesOf bytes, MadeOf made)
 {
     const py::is_method method(type_);
-    const py::handle type = type_;
-    type_.attr("__getstate__") = py::cpp_function(
-        [bytes, type](py::handle value) { return sealed(type, bytes(valued(value, type), false)); },
-        method);
-    type_.attr("__setstate__") = py::cpp_function(
-        [made, type](py::detail::value_and_holder& place, const py::object& state) {
-            place.value_ptr() = opened(type, state, made);
-        },
-        py::name("__setstate__"), method, py::detail::is_new_style_constructor());
-    type_.attr("__eq__") = py::cpp_function(
-        [bytes, type](py::handle one, py::handle other) -> py::object {
-            if (!py::isinstance(other, type)) {
-                return py::reinterpret_borrow<py::object>(Py_NotImplemented);
-            }
-            return py::bool_(bytes(valued(one, type), true) == bytes(valued(other, type), true));
+    type_.attr("_bytes") = py::cpp_function(
+        [bytes, type = py::handle(type_)](py::handle value, bool isCompared) {
+            return py::bytes(bytes(valued(value, type), isCompared));
         },
         method);
-    type_.attr("__hash__") = py::cpp_function(
-        [bytes, type](py::handle value) {
-            return py::hash(py::bytes(bytes(valued(value, type), true)));
-        },
-        method);
+    type_.attr("_take") =
+        py::cpp_function([made](py::detail::value_and_holder& place,
+                                const py::bytes& content) { place.value_ptr() = made(content); },
+                         py::name("__setstate__"), method, py::detail::is_new_style_constructor());
 }
 
 void refusePickle()

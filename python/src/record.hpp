@@ -4,9 +4,10 @@
 ///
 /// Each key is said once: it becomes a read-only property with its docstring, a line of `to_dict`
 /// and a word of `repr`, which the package makes of `_keys`. Structs whose members are listed
-/// (members.hpp) can be compared, hashed, copied and pickled.
+/// (pickled.hpp) can be compared, hashed, copied and pickled.
 
-#include <pybind11/pybind11.h>
+#include <fmt/format.h>
+#include <pybind11/stl.h>
 
 #include <array>
 #include <cstring>
@@ -16,9 +17,19 @@
 #include <string_view>
 #include <utility>
 
-#include "description.hpp"
 #include "pickled.hpp"
+#include "signorini/assembly.hpp"
 #include "signorini/figure_data.hpp"
+
+/// Figures are their JSON.
+template <>
+struct pybind11::detail::type_caster<signorini::FigureData> {
+    static constexpr auto name = const_name("str");
+    static handle cast(const signorini::FigureData& figure, return_value_policy, handle)
+    {
+        return str(asJson(figure)).release();
+    }
+};
 
 namespace signorini::python {
 
@@ -40,7 +51,7 @@ private:
     py::object (*call_)(const void* get, py::handle of);
 };
 
-/// A value of an answer as Python has it (described.hpp).
+/// A value of an answer as Python has it.
 template <typename T>
 [[nodiscard]] py::object asPython(const T& value);
 
@@ -59,16 +70,15 @@ public:
     /// Numbers without a unit as "name_ratio", and times a unit of the bar as "name".
     void addBoth(const std::string& name, const char* unit, const char* doc, const char* ratioDoc,
                  const Getter& get);
-    /// Pickles, and comparing: equal are values of the same bytes.
+    /// All that an object is, for pickles and comparing; and an object of that.
+    using BytesOf = std::string (*)(py::handle value, bool isCompared);
+    using MadeOf = void* (*)(std::string_view bytes);
     void addBytes(BytesOf bytes, MadeOf made);
 
 private:
     py::object type_;
     py::list keys_;
 };
-
-/// Pictures of an animation, all in JSON.
-[[nodiscard]] std::vector<std::string> eachAsJson(const std::vector<FigureData>& figures);
 
 /// A class with keys.
 template <typename T>
@@ -84,9 +94,10 @@ public:
                 [](py::handle value, bool isCompared) {
                     return bytesOf(py::cast<const T&>(value), isCompared);
                 },
-                [](Reader& from) -> void* {
+                [](std::string_view bytes) -> void* {
+                    Reader from{bytes};
                     auto value = std::make_unique<T>(take<T>(from));
-                    return from.bytes.empty() ? value.release() : nullptr;
+                    return from.bytes.empty() ? value.release() : (refusePickle(), nullptr);
                 });
         }
     }
@@ -127,33 +138,25 @@ public:
         define(std::make_index_sequence<count>());
         return *this;
     }
+    template <typename Function>
+    Record& can(const char* name, const char* doc, Function does)
+    {
+        class_.def(name, does, doc);
+        return *this;
+    }
 
-    /// What signorini.plot draws, in JSON: a picture of it, or of the k-th of its motions.
+    /// What signorini.plot draws: a picture of it, or of the k-th of its motions.
     template <typename Figure>
     Record& draws(Figure figure, const char* name = "_figure")
     {
-        if constexpr (std::is_invocable_v<Figure, const T&>) {
-            class_.def(name, [figure](const T& of) { return asJson(figure(of)); });
-        } else {
-            class_.def(name,
-                       [figure](const T& of, std::size_t k) { return asJson(figure(of, k)); });
-        }
+        class_.def(name, figure);
         return *this;
     }
     /// Its pictures over one period, or those of the k-th of its motions, at most so many > 0.
     template <typename Frames>
     Record& moves(Frames frames)
     {
-        if constexpr (std::is_invocable_v<Frames, const T&, std::size_t>) {
-            class_.def("_frames", [frames](const T& of, std::size_t most) {
-                return eachAsJson(frames(of, most));
-            });
-        } else {
-            class_.def("_frames", [frames](const T& of, std::size_t most, std::size_t k) {
-                return eachAsJson(frames(of, most, k));
-            });
-        }
-        return *this;
+        return draws(frames, "_frames");
     }
     /// The bars in a row that are asked about.
     template <typename Get>
@@ -174,7 +177,7 @@ private:
             using Value = std::conditional_t<std::is_invocable_v<Get, const T&>, const T&,
                                              std::shared_ptr<T>>;
             const auto& got = std::invoke(*static_cast<const Get*>(held), py::cast<Value>(of));
-            if constexpr (answers::isA<std::remove_cvref_t<decltype(got)>, std::optional>) {
+            if constexpr (isA<std::remove_cvref_t<decltype(got)>, std::optional>) {
                 return got ? asPython(*got) : py::object();
             } else {
                 return asPython(got);
@@ -186,6 +189,107 @@ private:
     ClassOfRecord of_;
 };
 
-using answers::Of;
+/// The keys of a described record in a dictionary.
+template <typename T>
+struct KeysInDictionary {
+    const T& value;
+    py::dict dict = {};
+
+    static void record(const char*, const char*) {}
+    template <typename Get>
+    void key(const char* name, const char*, const char*, Get get, When when = When::always)
+    {
+        const py::object held = asPython(std::invoke(get, value));
+        if (!(held.is_none() && mayBeLeftOut(when))) {
+            dict[name] = held;
+        }
+    }
+};
+
+/// The same, of a record that need not be a class.
+template <typename T>
+[[nodiscard]] py::dict dictionaryOf(const T& value)
+{
+    KeysInDictionary<T> keys{value};
+    describe(keys, Type<T>());
+    return keys.dict;
+}
+
+/// Enumerators are text, small structs tuples, records objects of their class.
+template <typename T>
+py::object asPython(const T& value)
+{
+    if constexpr (std::is_base_of_v<py::handle, T>) {
+        return value;
+    } else if constexpr (std::is_enum_v<T>) {
+        return py::str(std::string_view(name(value)));
+    } else if constexpr (isA<T, std::reference_wrapper>) {
+        return asPython(value.get());
+    } else if constexpr (isA<T, std::optional>) {
+        return value ? asPython(*value) : py::none();
+    } else if constexpr (isA<T, std::variant>) {
+        return std::visit([](const auto& held) { return asPython(held); }, value);
+    } else if constexpr (isA<T, std::tuple>) {
+        return std::apply([](const auto&... item) { return py::make_tuple(asPython(item)...); },
+                          value);
+    } else if constexpr (isA<T, std::vector>) {
+        py::list list;
+        for (const auto& item : value) {
+            list.append(asPython(item));
+        }
+        return list;
+    } else if constexpr (Listed<T>) {
+        return asPython(listed(value));
+    } else if constexpr (isDictionary<T>) {
+        return dictionaryOf(value);
+    } else {
+        return py::cast(value);
+    }
+}
+
+/// Makes a class and its keys of what is described; bars in a row that it has are drawn.
+template <typename T>
+struct ClassOfKeys {
+    py::handle scope;
+    const char* doc;  ///< in place of the sentence of the description
+    std::unique_ptr<Record<T>> made = {};
+
+    void record(const char* name, const char* sentence)
+    {
+        made = std::make_unique<Record<T>>(scope, name, doc != nullptr ? doc : sentence);
+    }
+    template <typename Get>
+    void key(const char* name, std::string_view unit, const char* sentence, Get get,
+             When when = When::always)
+    {
+        if (when == When::program) {
+            return;
+        }
+        unit = unit.substr(0, unit.find_first_of(">"));
+        unit = unit.substr(0, unit.find_last_not_of(' ') + 1);
+        const std::string text = unit == "-" ? sentence : fmt::format("[{}] {}", unit, sentence);
+        made->key(name, get, text, mayBeLeftOut(when));
+        if constexpr (std::is_same_v<std::remove_cvref_t<std::invoke_result_t<Get, const T&>>,
+                                     Assembly>) {
+            made->drawsScene(get);
+        }
+    }
+};
+
+/// The class of a described record; what has a longer text of its own than the description says so.
+template <typename T>
+std::unique_ptr<Record<T>> classOf(py::handle scope, const char* doc = nullptr)
+{
+    ClassOfKeys<T> keys{scope, doc};
+    describe(keys, Type<T>());
+    return std::move(keys.made);
+}
+
+/// Classes of records that have no more than their keys.
+template <typename... T>
+void addClasses(py::module_& module)
+{
+    (classOf<T>(module), ...);
+}
 
 }  // namespace signorini::python

@@ -1,16 +1,13 @@
 #include "calls.hpp"
 
-#include <functional>
-
-#include "mapped.hpp"
+#include "scene_figures.hpp"
+#include "scene_simulation_answer.hpp"
 #include "simulation_answer.hpp"
+#include "state_table.hpp"
 
 namespace signorini::python {
 
 namespace {
-
-using answers::Drive;
-using answers::SimulationAnswer;
 
 /// Waves off any grid, and their units.
 using WavesOf = Of<Waves>;
@@ -99,6 +96,13 @@ void addSimulated(py::module_& module)
         });
 }
 
+/// What moves bars of these units.
+Drive driveOf(const Asked& asked, const Bar& units)
+{
+    const double ratio = asked.frequency("frequency", units);
+    return {asked.place(), *asked.displacement(ratio, units), ratio, asked.get<double>("phase")};
+}
+
 /// Where it starts: at rest, from a state, or from waves.
 Waves startOf(const Asked& asked, std::optional<std::int64_t> cells, const Stops& stops,
               const std::function<Excitation(double)>& drivenBy)
@@ -119,9 +123,7 @@ Simulated simulate(const Asked& asked)
     SimulationAnswer answer{.scene = asked.scene(), .damping = asked.damping()};
     const Bar units = answer.scene.bar;
     if (asked.has("frequency")) {
-        const double ratio = asked.frequency("frequency", units);
-        answer.drive = Drive{asked.place(), *asked.displacement(ratio, units), ratio,
-                             asked.get<double>("phase")};
+        answer.drive = driveOf(asked, units);
     }
     const auto cells = asked.maybe<std::int64_t>("cells");
     const auto drivenBy = [&](double grid) {
@@ -130,17 +132,84 @@ Simulated simulate(const Asked& asked)
     };
     const Waves start = startOf(asked, cells, stopsOf(answer.scene), drivenBy);
     const Excitation driving = drivenBy(cells ? static_cast<double>(*cells) : start.crossing);
-    answers::FollowedBar bar =
-        started(std::move(answer), start, driving,
-                {asked.maybe<double>("time"), asked.maybe<std::int64_t>("periods"),
-                 asked.maybe<double>("resolve"), asked.get<bool>("tip")});
-    return patiently(
-        [bar = std::move(bar)](const Wires& wires) mutable {
-            bar.follow(wires.cancel, wires.progress);
-            const BarSimulation& done = bar.simulation;
-            return Simulated{bar.answer, {done.waves(), done.contacts(), done.tipPath()}};
-        },
-        asked.progress());
+    FollowedBar bar = started(std::move(answer), start, driving,
+                              {asked.maybe<double>("time"), asked.maybe<std::int64_t>("periods"),
+                               asked.maybe<double>("resolve"), asked.get<bool>("tip")});
+    return patiently(asked, [bar = std::move(bar)](const Wires& wires) mutable {
+        bar.follow(wires.cancel, wires.progress);
+        const BarSimulation& done = bar.simulation;
+        return Simulated{bar.answer, {done.waves(), done.contacts(), done.tipPath()}};
+    });
+}
+
+/// What contacts did, in SI units, and the picture of a simulation.
+struct SeenInBars {
+    std::vector<NetworkContactEvent> pushes = {};
+    std::string figure = {};  ///< empty: no paths were recorded
+};
+using SimulatedBars = With<SceneSimulationAnswer, SeenInBars>;
+
+NetworkStart startOf(const Asked& asked, const Network& network, double base)
+{
+    if (const auto file = asked.maybe<std::string>("start")) {
+        return readStateTable(*file, network);
+    }
+    const py::object given = asked.object("velocity");
+    if (given.is_none()) {
+        return startAtRest(network, base);
+    }
+    std::vector<double> speeds;
+    for (const py::handle& speed : given) {
+        speeds.push_back(quantityOf("velocity", py::cast<Quantity>(speed)) /
+                         network.scales.velocity());
+    }
+    return startWithSpeeds(network, speeds);
+}
+
+SimulatedBars simulateBars(const Asked& asked)
+{
+    const Assembly assembly = asked.assembly();
+    const Network network = networkOf(assembly);
+    SceneDrive drive;
+    if (asked.has("force")) {
+        drive = drivenBy(network, driveOf(asked, unitsOf(assembly, network)));
+    }
+    const double duration = durationOf(network, drive, asked.maybe<double>("time"),
+                                       asked.maybe<std::int64_t>("periods"));
+    const NetworkStart start = startOf(asked, network, drive.moved.base);
+    const bool recordsPaths = asked.get<bool>("tip");
+    return patiently(asked, [=](const Wires& wires) {
+        SimulatedBars answer;
+        answer.bars = severalOf(assembly, network);
+        answer.drive = drive.told;
+        NetworkSimulation simulation = simulationOf(network, start, drive, recordsPaths);
+        answer.follow(simulation, drive.moved, duration, wires.cancel, wires.progress);
+        if (recordsPaths) {
+            answer.more.figure = asJson(simulationFigure(simulation));
+        }
+        answer.more.pushes = contactsOf(simulation);
+        return answer;
+    });
+}
+
+void addSimulatedBars(py::module_& module)
+{
+    using Push = NetworkContactEvent;
+    const auto record = classOf<SimulatedBars>(module);
+    for (const auto& [name, member, doc] :
+         {std::tuple("contact_start", &Push::start, "[s], shape (times pressed,)."),
+          std::tuple("contact_end", &Push::end, "[s]"),
+          std::tuple("contact_impulse", &Push::impulse, "[N s]"),
+          std::tuple("contact_peak_force", &Push::peakForce, "[N]"),
+          std::tuple("contact_speed", &Push::speed, "With which it closed [m/s].")}) {
+        record->has(name, doc, [member = member](const std::shared_ptr<SimulatedBars>& s) {
+            return view(s->more.pushes, member, s);
+        });
+    }
+    record->has("contact_number", "Which contact, from 1.", [](const SimulatedBars& s) {
+        return mapped(s.more.pushes, [](const Push& push) { return push.contact + 1; });
+    });
+    record->draws([](const SimulatedBars& s) { return s.more.figure; });
 }
 
 }  // namespace
@@ -148,9 +217,11 @@ Simulated simulate(const Asked& asked)
 void addSimulate(py::module_& module)
 {
     addWaves(module);
-    addClasses<Drive, answers::SettledOn, answers::Balance>(module);
+    addClasses<Drive, SettledOn, Balance>(module);
     addSimulated(module);
-    addCall(module, "simulate", &simulate);
+    addSimulatedBars(module);
+    module.def("simulate", &simulate);
+    module.def("simulate_bars", &simulateBars);
 }
 
 }  // namespace signorini::python

@@ -1,18 +1,10 @@
 #include "calls.hpp"
 
-#include "excited_names.hpp"
 #include "journal.hpp"
-#include "mapped.hpp"
 #include "share_work.hpp"
-#include "signorini/figures.hpp"
 #include "study_answer.hpp"
 
 namespace signorini::python {
-
-using answers::StudyCase;
-using answers::StudyPoint;
-using answers::SweepAnswer;
-using answers::SweepPointOf;
 
 namespace {
 
@@ -22,15 +14,15 @@ SweepAnswer inUnits(SweepRange range, const Scene& scene, const Asked& asked, do
                     const Network* bars = nullptr)
 {
     validate(scene);
-    const Bar bar = answers::unitsOf(scene);
+    const Bar bar = unitsOf(scene);
     const auto end = [&](const char* name) {
         return range.over == Swept::frequency
                    ? asked.frequency(name, bar)
-                   : asked.inUnit(name, answers::unitName(range.over, range.place));
+                   : asked.inUnit(name, unitName(range.over, range.place));
     };
     const double least = end("start");
     const double most = end("to");
-    const double unit = answers::unitOf(range.over, range.place, bar);
+    const double unit = unitOf(range.over, range.place, bar);
     if (asked.has("frequency")) {
         range.frequencyRatio = asked.frequency("frequency", bar);
     }
@@ -107,28 +99,26 @@ SweepAnswer sweep(const Asked& asked)
         bars = std::make_shared<const Network>(networkOf(assembly));
         requireBars(*bars, range);
         range.cells = static_cast<double>(bars->cells());
-        answer = inUnits(range, answers::unitsOf(assembly, *bars), asked, amplitude, bars.get());
-        answer.several = answers::severalOf(assembly, *bars);
+        answer = inUnits(range, unitsOf(assembly, *bars), asked, amplitude, bars.get());
+        answer.several = severalOf(assembly, *bars);
     } else {
         answer = inUnits(range, asked.scene(), asked, amplitude);
     }
     const auto threads = asked.get<std::int64_t>("threads");
     const auto file = asked.maybe<std::string>("file").value_or("");
     const auto question = asked.get<std::string>("question");
-    return patiently(
-        [=](const Wires& wires) mutable {
-            std::optional<Journal> journal;
-            if (!file.empty()) {
-                journal.emplace(file, question, true);
-            }
-            answer.points = sweepThrough(answer.range, bars.get(), answer.bar, directions,
-                                         journal ? &*journal : nullptr, threads,
-                                         {.cancel = wires.cancel, .show = wires.progress});
-            answer.isComplete = answer.points.size() ==
-                                directions.size() * static_cast<std::size_t>(answer.range.points);
-            return answer;
-        },
-        asked.progress());
+    return patiently(asked, [=](const Wires& wires) mutable {
+        std::optional<Journal> journal;
+        if (!file.empty()) {
+            journal.emplace(file, question, true);
+        }
+        answer.points = sweepThrough(answer.range, bars.get(), answer.bar, directions,
+                                     journal ? &*journal : nullptr, threads,
+                                     {.cancel = wires.cancel, .show = wires.progress});
+        answer.isComplete = answer.points.size() ==
+                            directions.size() * static_cast<std::size_t>(answer.range.points);
+        return answer;
+    });
 }
 
 /// "cases" are (scene, damping, amplitude).
@@ -144,20 +134,16 @@ std::vector<StudyPoint> study(const Asked& asked)
     const auto threads = asked.get<std::int64_t>("threads");
     const auto file = asked.maybe<std::string>("file").value_or("");
     const auto question = asked.get<std::string>("question");
-    return patiently(
-        [=](const Wires& wires) {
-            const RowOf row = [&](std::size_t k) {
-                return answers::studyRow(all[k], wires.cancel);
-            };
-            return answers::studyPointsOf(tabulated({.file = file,
-                                                     .question = question,
-                                                     .header = answers::studyHeader,
-                                                     .keys = mapped(all, answers::keyOf),
-                                                     .resumes = true,
-                                                     .deal = byThreads(row, threads),
-                                                     .show = wires.progress}));
-        },
-        asked.progress());
+    return patiently(asked, [=](const Wires& wires) {
+        const RowOf row = [&](std::size_t k) { return studyRow(all[k], wires.cancel); };
+        return studyPointsOf(tabulated({.file = file,
+                                        .question = question,
+                                        .header = studyHeader,
+                                        .keys = mapped(all, keyOf),
+                                        .resumes = true,
+                                        .deal = byThreads(row, threads),
+                                        .show = wires.progress}));
+    });
 }
 
 }  // namespace
@@ -168,8 +154,8 @@ void addSweep(py::module_& module)
     classOf<SweepAnswer>(module)->draws([](const SweepAnswer& answer) {
         return sweepFigure(answer.points, answer.range, answer.bar, {});
     });
-    addCall(module, "sweep", &sweep);
-    addCall(module, "study", &study);
+    module.def("sweep", &sweep);
+    module.def("study", &study);
 }
 
 }  // namespace signorini::python

@@ -8,7 +8,7 @@
 ///     d.key("gap", "- >= 0", "Of (31).", &Residuals::gap);
 ///
 /// A describer writes JSON (src/cli/json.hpp), gives a Python class its properties
-/// (python/src/described.hpp), or lists what there is (tests/answers/descriptions.cpp), of which
+/// (python/src/record.hpp), or lists what there is (tests/answers/descriptions.cpp), of which
 /// tools/describe makes schemas and stubs. A unit may end in "> 0", ">= 0" or ">= 1"; "-" is none.
 /// Getters return numbers, truth values, text, enumerators with a name, other described records,
 /// references to whole answers, and optionals, vectors, tuples or variants of these.

@@ -1,15 +1,17 @@
-#include "asked.hpp"
-
-#include <pybind11/stl.h>
+#include "calls.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cmath>
+#include <future>
 #include <limits>
+#include <mutex>
+#include <thread>
 #include <unordered_map>
+#include <utility>
 
 #include "excited_amplitude.hpp"
-#include "excited_names.hpp"
-#include "find_answer.hpp"
 #include "scene_harmonic_answer.hpp"
 #include "share_work.hpp"
 
@@ -38,17 +40,16 @@ void Asked::refuseKind(const char* name, const char* kind) const
 
 void Asked::requireFits(const char* name, double value)
 {
-    using answers::Takes;
-    static std::unordered_map<const char*, std::vector<const answers::Option*>> known;
+    static std::unordered_map<const char*, std::vector<const Option*>> known;
     const auto [rows, isNew] = known.try_emplace(name);
     if (isNew) {
         rows->second = optionsNamed(name);
-        std::erase_if(rows->second, [](const answers::Option* row) {
+        std::erase_if(rows->second, [](const Option* row) {
             return row->takes != Takes::whole && row->takes != Takes::positive &&
                    row->takes != Takes::range && row->takes != Takes::real;
         });
     }
-    const auto fits = [value](const answers::Option* row) { return row->fits(value); };
+    const auto fits = [value](const Option* row) { return row->fits(value); };
     if (!rows->second.empty() && std::none_of(rows->second.begin(), rows->second.end(), fits)) {
         throwFault(name, value, rows->second.front()->allowed());
     }
@@ -92,9 +93,9 @@ Assembly Asked::assembly() const
 
 std::int64_t Asked::steps(const Assembly& assembly, std::int64_t cycles) const
 {
-    return answers::stepsOf(
-        assembly, {maybe<double>("period"), maybe<double>("frequency"), maybe<double>("hertz")},
-        cycles);
+    return stepsOf(assembly,
+                   {maybe<double>("period"), maybe<double>("frequency"), maybe<double>("hertz")},
+                   cycles);
 }
 
 std::optional<double> Asked::energyRatio(const Bar& bar) const
@@ -134,6 +135,73 @@ double Asked::strainLimit(double unit) const
 {
     const auto limit = maybe<double>("strain_limit");
     return limit ? *limit / unit : std::numeric_limits<double>::infinity();
+}
+
+namespace {
+
+constexpr std::chrono::milliseconds look{10};
+constexpr std::chrono::milliseconds grace{40};
+
+/// What both threads see.
+struct Shared {
+    std::atomic<bool> isCancelled = false;
+    std::mutex mutex;
+    std::optional<std::pair<double, double>> news = {};  ///< done, total
+};
+
+/// Waits, without Python's lock. \returns whether the work is over.
+bool wait(const std::future<void>& work, std::chrono::milliseconds time)
+{
+    const py::gil_scoped_release release;
+    return work.wait_for(time) == std::future_status::ready;
+}
+
+/// Signals and news. \throws py::error_already_set.
+void listen(Shared& shared, const py::object& progress)
+{
+    if (PyErr_CheckSignals() != 0) {
+        throw py::error_already_set();
+    }
+    std::optional<std::pair<double, double>> news;
+    {
+        const std::lock_guard lock(shared.mutex);
+        news = std::exchange(shared.news, {});
+    }
+    if (news && !progress.is_none()) {
+        progress(news->first, news->second);
+    }
+}
+
+}  // namespace
+
+void runPatiently(const py::object& progress, std::function<void(const Wires&)> job, bool canBeLeft)
+{
+    const auto shared = std::make_shared<Shared>();
+    const Wires wires{[shared] { return shared->isCancelled.load(std::memory_order_relaxed); },
+                      [shared](double done, double total) {
+                          const std::lock_guard lock(shared->mutex);
+                          shared->news = {done, total};
+                      }};
+    std::packaged_task<void()> task([wires, job = std::move(job)] { job(wires); });
+    std::future<void> work = task.get_future();
+    std::thread worker(std::move(task));
+    try {
+        while (!wait(work, look)) {
+            listen(*shared, progress);
+        }
+        listen(*shared, progress);
+    } catch (py::error_already_set&) {
+        shared->isCancelled = true;
+        if (wait(work, grace) || !canBeLeft) {
+            const py::gil_scoped_release release;
+            worker.join();
+        } else {
+            worker.detach();
+        }
+        throw;
+    }
+    worker.join();
+    work.get();
 }
 
 }  // namespace signorini::python

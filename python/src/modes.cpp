@@ -1,0 +1,225 @@
+#include "calls.hpp"
+
+#include "signorini/modes.hpp"
+
+namespace signorini::python {
+
+namespace {
+
+void addFamily(py::module_& module)
+{
+    classOf<FamilyOf>(module)
+        ->has("bar", "Its units.", &FamilyOf::bar)
+        .can("schedule", {"cells"}, "That has the whole set on N cells. ValueError unless w | 2N.",
+             [](const FamilyOf& f, std::int64_t cells) {
+                 return signorini::scheduleOf(f.value, cells);
+             });
+}
+
+/// What modes and polytopes share.
+template <typename T>
+auto classOfShape(py::module_& module)
+{
+    auto record = classOf<T>(module);
+    record->has("bar", "Its units.", &T::bar)
+        .can("energy_ratio", {"period_ratio"},
+             "E/E_1 at T [L/c], any array. ValueError outside the interval.",
+             [](const T& shape, const py::object& periods) {
+                 return onPeriods(periods, [&](double t) { return energyRatio(shape.value, t); });
+             });
+    return record;
+}
+
+void addMode(py::module_& module)
+{
+    classOfShape<ModeOf>(module)
+        ->has("kappa", "E/E_1 = 1/(kappa T - mu)^2.", [](const ModeOf& m) { return m.value.kappa; })
+        .has("mu", "See kappa.", [](const ModeOf& m) { return m.value.mu; })
+        .can("contact_time_ratio", {"period_ratio"},
+             "t_c [L/c] at T [L/c], any array. ValueError as above.",
+             [](const ModeOf& m, const py::object& periods) {
+                 return onPeriods(periods, [&m](double t) { return contactTime(m.value, t); });
+             })
+        .can("schedule", {"cells", "steps"}, "Of the motion with T = steps/cells L/c.",
+             [](const ModeOf& m, std::int64_t cells, std::int64_t steps) {
+                 return signorini::scheduleOf(m.value, cells, steps);
+             })
+        .can("families", {"max_order"}, "Those of order w <= max_order that stand on it.",
+             [](const ModeOf& m, std::int64_t maxOrder) {
+                 return withUnits(familiesOf(m.value, maxOrder), m.bar);
+             })
+        .more()
+        .def(
+            "motion",
+            [](const ModeOf& m, double period, double gravity) {
+                return motionOf(m.value, m.bar, period, gravity);
+            },
+            py::arg("period_ratio"), py::arg("gravity") = 0.0,
+            "At T [L/c], a ModeMotion; with the shape at rest under the gravity [m/s^2] that left "
+            "the gap. ValueError outside the interval.");
+}
+
+std::vector<FamilyOf> families(const Asked& asked)
+{
+    const auto maxOrder = asked.get<std::int64_t>("max_order");
+    const Bar bar = asked.bar();
+    FamilyBounds bounds{.gapSign = stopsOf(bar).right};
+    asked.read("max_energy_ratio", bounds.maxEnergyRatio);
+    return patiently(asked, [=](const Wires& wires) {
+        std::vector<FamilyOf> list;
+        std::int64_t order = 0;
+        forEachFamily(maxOrder, wires.on(bounds), [&](const Family& family) {
+            if (std::exchange(order, family.order) < family.order) {
+                wires.progress(static_cast<double>(order), static_cast<double>(maxOrder));
+            }
+            list.push_back({family, bar});
+            return true;
+        });
+        return list;
+    });
+}
+
+/// Those with one contact, or what several fill.
+py::object modes(const Asked& asked)
+{
+    const Bar bar = asked.bar();
+    const auto phases = asked.get<std::int64_t>("phases");
+    const ModeBounds bounds{.maxOrder = asked.get<std::int64_t>("max_order"),
+                            .maxPeriod = asked.get<double>("max_period_ratio"),
+                            .maxEnergyRatio = asked.get<double>("max_energy_ratio"),
+                            .gapSign = phases == 1 ? gapSignOfModes(bar) : stopsOf(bar).right};
+    const auto listed = [&](auto search) {
+        return py::cast(patiently(
+            asked, [=](const Wires& wires) { return withUnits(search(wires.on(bounds)), bar); }));
+    };
+    return phases == 1 ? listed(&findModes)
+                       : listed([phases](const ModeBounds& b) { return findPolytopes(phases, b); });
+}
+
+ModeOf mode(const Asked& asked)
+{
+    const auto a4 = asked.get<std::int64_t>("a4");
+    const auto b = asked.get<std::int64_t>("b");
+    const Bar bar = asked.bar();
+    const std::optional<Mode> found =
+        a4 > 0 && a4 % 4 == 0 && b < 0 ? findMode(a4 / 4, b, gapSignOfModes(bar)) : std::nullopt;
+    if (!found) {
+        throwFault("a4, b", fmt::format("{}, {}", a4, b),
+                   "multiples of 4 and negative odd numbers that modes() lists: there is no other "
+                   "mode");
+    }
+    return {*found, bar};
+}
+
+FigureData familiesAsFigure(const std::vector<FamilyOf>& rows)
+{
+    return familiesFigure(mapped(rows, &FamilyOf::value), rows.back().value.order, true);
+}
+
+FigureData polytopesAsFigure(const std::vector<PolytopeOf>& rows, double top)
+{
+    FrequencyEnergyOptions drawing{.maxEnergyRatio = top};
+    if (!rows.empty()) {
+        drawing.bar = rows.front().bar;
+    }
+    return polytopesFigure(mapped(rows, &PolytopeOf::value), drawing);
+}
+
+FigureData planeAsFigure(std::int64_t maxOrder, double left, double right, double top)
+{
+    const std::vector<Mode> modes = findModes({.maxEnergyRatio = top});
+    const std::vector<Family> families = findFamilies(maxOrder);
+    return frequencyEnergyFigure(
+        {.modes = modes, .families = families},
+        {.maxFrequencyRatio = right, .maxEnergyRatio = top, .leastFrequencyRatio = left});
+}
+
+/// An array with a row for each list; all are of one length.
+py::array_t<double> rowsOf(const std::vector<ModePoint>& points, std::size_t columns)
+{
+    py::array_t<double> array({points.size(), columns});
+    double* to = array.mutable_data();
+    for (const ModePoint& point : points) {
+        to = std::copy(point.arrivals.begin(), point.arrivals.end(), to);
+    }
+    return array;
+}
+
+/// The mean of the corners at one period, where nothing else is asked for.
+std::vector<double> middle(const ModePolytope& polytope, double period)
+{
+    const std::vector<ModePoint> corners = slice(polytope, period);
+    std::vector<double> mean(polytope.chains.size() - 1, 0.0);
+    for (const ModePoint& corner : corners) {
+        for (std::size_t l = 0; l < mean.size(); ++l) {
+            mean[l] += corner.arrivals[l] / static_cast<double>(corners.size());
+        }
+    }
+    return mean;
+}
+
+PolytopeAnswer polytopeMotion(const PolytopeOf& p, double period,
+                              const std::optional<std::vector<double>>& arrivals)
+{
+    const ModePoint point{period, arrivals ? *arrivals : middle(p.value, period)};
+    return {p.value, p.bar, point, ModeMotion(p.value, point)};
+}
+
+void addPolytope(py::module_& module)
+{
+    classOfShape<PolytopeOf>(module)
+        ->has("phases", "K.", [](const PolytopeOf& p) { return p.value.chains.size(); })
+        .can("slice", {"period_ratio"},
+             "Arrivals s_2 ... s_K [L/c] at the corners of T [L/c], an array of shape (corners, "
+             "K - 1): the motions of this period are their means, ends excluded. ValueError "
+             "outside the interval.",
+             [](const PolytopeOf& p, double period) {
+                 return rowsOf(slice(p.value, period), p.value.chains.size() - 1);
+             })
+        .can("stretches", {"period_ratio", "arrivals"},
+             "Contact and flight in turn, 2K lengths [L/c]. ValueError unless there are K - 1 "
+             "arrivals.",
+             [](const PolytopeOf& p, double period, const std::vector<double>& arrivals) {
+                 const auto times = stretches(p.value, {period, arrivals});
+                 return py::array_t<double>(static_cast<py::ssize_t>(times.size()), times.data());
+             })
+        .can("schedules", {"cells", "steps"},
+             "On N cells, of the motions with T = steps/cells L/c, one for each orbit.",
+             [](const PolytopeOf& p, std::int64_t cells, std::int64_t steps) {
+                 return schedulesOf(p.value, cells, steps);
+             })
+        .more()
+        .def("motion", &polytopeMotion, py::arg("period_ratio"), py::arg("arrivals") = py::none(),
+             "At T and arrivals s_2 ... s_K [L/c], in the middle without: a PolytopeMotion. "
+             "ValueError outside.");
+}
+
+std::optional<PolytopeOf> polytope(const Asked& asked)
+{
+    const Schedule schedule = asked.schedule();
+    const Bar bar = asked.bar();
+    const auto found = patiently(asked, [=](const Wires&) { return polytopeOf(schedule); });
+    return found ? std::optional(PolytopeOf{*found, bar}) : std::nullopt;
+}
+
+}  // namespace
+
+void addModes(py::module_& module)
+{
+    addFamily(module);
+    addMode(module);
+    classOf<ModeChain>(module);
+    addPolytope(module);
+    module.def("families", &families);
+    module.def("about_rest", [](const Asked& asked) {
+        return aboutRest(asked.bar(), asked.get<double>("gravity")).bar;
+    });
+    module.def("families_figure", &familiesAsFigure);
+    module.def("polytopes_figure", &polytopesAsFigure);
+    module.def("frequency_energy_figure", &planeAsFigure);
+    module.def("modes", &modes);
+    module.def("mode", &mode);
+    module.def("polytope", &polytope);
+}
+
+}  // namespace signorini::python
