@@ -15,14 +15,10 @@
 namespace signorini::python {
 
 template <>
-struct Members<FindAnswer> {
-    static constexpr auto list =
-        std::tuple{&FindAnswer::result, &FindAnswer::target, &FindAnswer::stability};
-};
+inline constexpr std::tuple membersOf<FindAnswer>{&FindAnswer::result, &FindAnswer::target,
+                                                  &FindAnswer::stability};
 template <>
-struct Members<ContinuumAnswer> {
-    static constexpr auto list = std::tuple{&ContinuumAnswer::curve};
-};
+inline constexpr std::tuple membersOf<ContinuumAnswer>{&ContinuumAnswer::curve};
 
 namespace {
 
@@ -37,12 +33,12 @@ std::optional<GridMotion> motionIn(const std::shared_ptr<FindAnswer>& a)
 
 void addResult(py::module_& module)
 {
-    classOf<FindAnswer>(module)
-        ->has("state", "At t = 0, the start of the first contact: a State, or None.",
-              [](const std::shared_ptr<FindAnswer>& a) -> std::optional<StateOf> {
-                  const auto motion = motionIn(a);
-                  return motion ? std::optional(motion->start()) : std::nullopt;
-              })
+    Record<FindAnswer>(module)
+        .has("state", "At t = 0, the start of the first contact: a State, or None.",
+             [](const std::shared_ptr<FindAnswer>& a) -> std::optional<StateOf> {
+                 const auto motion = motionIn(a);
+                 return motion ? std::optional(motion->start()) : std::nullopt;
+             })
         .has("motion", "The field over one period: a Motion, or None.", &motionIn)
         .has("scene", "Asked about: a Scene.", [](const FindAnswer& a) { return a.result.scene; })
         .can("is_proof", "Checks the certificate once more, against rows made anew.",
@@ -134,16 +130,16 @@ auto ofPoints(double ContinuumPoint::*member)
 
 void addCurve(py::module_& module)
 {
-    classOf<PointOf>(module)
-        ->has("state", "At t = 0: a State.",
-              [](const PointOf& p) {
-                  return StateOf{{p.point, &p.point->state}, p.curve->scene.bar};
-              })
+    Record<PointOf>(module)
+        .has("state", "At t = 0: a State.",
+             [](const PointOf& p) {
+                 return StateOf{{p.point, &p.point->state}, p.curve->scene.bar};
+             })
         .has("motion", "The field over one period: a Motion.", [](const PointOf& p) {
             return GridMotion({p.point, &p.point->state}, p.curve->schedule, p.curve->scene);
         });
-    classOf<ContinuumAnswer>(module)
-        ->has("lambda_", "Of each point, shape (points,).", ofPoints(&ContinuumPoint::lambda))
+    Record<ContinuumAnswer>(module)
+        .has("lambda_", "Of each point, shape (points,).", ofPoints(&ContinuumPoint::lambda))
         .has("peak_strain", "Of each point [-].", ofPoints(&ContinuumPoint::peakStrain))
         .has("residual", "Of each point.", ofPoints(&ContinuumPoint::residual))
         .can("member", {"lambda_"},
@@ -307,11 +303,10 @@ MotionInBars motionIn(const SceneCurvePoint& point, std::size_t)
 
 /// Pictures and files of the motions of an answer.
 template <typename Answer>
-auto addMotions(py::module_& module)
+void addMotions(Record<Answer>&& record)
 {
-    auto record = classOf<Answer>(module);
     record
-        ->draws([](const Answer& a, std::size_t which) {
+        .draws([](const Answer& a, std::size_t which) {
             const auto [of, motion] = motionIn(a, which);
             return periodFigure(of.network(), motion, of.bars.assembly.length);
         })
@@ -333,7 +328,6 @@ auto addMotions(py::module_& module)
             "Writes the state of a motion at t = 0: a table from which `simulate` starts, and that "
             "`find` takes as a target. OSError if it cannot be written.",
             py::arg("path"), py::arg("index") = 0);
-    return record;
 }
 
 }  // namespace
@@ -343,20 +337,21 @@ void addFind(py::module_& module)
     addClasses<Physical, FarkasCertificate, ProgramProof, SteppedProof, EnergyFloorProof,
                EnergyExclusion, SolutionSet, HeldEnergy, SolverReport, TentPlace, Of<Damping>,
                NetworkResiduals, SceneForcedMotion, SceneQuestionAnswer>(module);
-    classOf<Residuals>(module)->can("worst", "The largest of them.", &Residuals::worst);
+    Record<Residuals>(module).can("worst", "The largest of them.", &Residuals::worst);
     addResult(module);
     addQuestions(module);
     addCurve(module);
-    addMotions<SceneFindAnswer>(module);
-    addMotions<SceneForcedAnswer>(module);
-    addMotions<SceneCurvePoint>(module)->drawsScene(
-        [](const SceneCurvePoint& p) { return p.of->schedule.bars.assembly; });
-    classOf<SceneContinuumAnswer>(module)
-        ->can("member", {"lambda_"},
-              "The point of the curve nearest to a lambda. ValueError out of range.",
-              [](const SceneContinuumAnswer& c, double lambda) {
-                  return SceneCurvePoint{c.of, pointAt(c.curve(), lambda)};
-              })
+    addMotions(Record<SceneFindAnswer>(module));
+    addMotions(Record<SceneForcedAnswer>(module));
+    Record<SceneCurvePoint> point(module);
+    point.drawsScene([](const SceneCurvePoint& p) { return p.of->schedule.bars.assembly; });
+    addMotions(std::move(point));
+    Record<SceneContinuumAnswer>(module)
+        .can("member", {"lambda_"},
+             "The point of the curve nearest to a lambda. ValueError out of range.",
+             [](const SceneContinuumAnswer& c, double lambda) {
+                 return SceneCurvePoint{c.of, pointAt(c.curve(), lambda)};
+             })
         .draws(&sceneContinuumFigure);
     module.def("find", &find);
     module.def("continuum", &continuum);

@@ -20,9 +20,9 @@ namespace {
 
 void addMotionOf(py::module_& module)
 {
-    classOf<ForcedMotionOf>(module)
-        ->has("impulse_ratio", "[EA g/c] a period.",
-              [](const ForcedMotionOf& m) { return m.value.extremes.impulse; })
+    Record<ForcedMotionOf>(module)
+        .has("impulse_ratio", "[EA g/c] a period.",
+             [](const ForcedMotionOf& m) { return m.value.extremes.impulse; })
         .has("peak_force_ratio", "[EA g/L]",
              [](const ForcedMotionOf& m) { return m.value.extremes.peakForce; })
         .has("tip_lowest_ratio", "[g]",
@@ -208,8 +208,8 @@ void addForced(py::module_& module)
                ExactFrequencyOf, BranchPointOf, BranchMarkOf, ExactBranchOf, SceneFrequency,
                ForceRange>(module);
     addMotionOf(module);
-    classOf<ForcedAnswer>(module)
-        ->draws([](const ForcedAnswer& a, std::size_t k) {
+    Record<ForcedAnswer>(module)
+        .draws([](const ForcedAnswer& a, std::size_t k) {
             return motionFigure(a.motions.at(k).value, a.scene);
         })
         .moves([](const ForcedAnswer& a, std::size_t most, std::size_t k) {
@@ -220,30 +220,30 @@ void addForced(py::module_& module)
     const auto field = [](const HarmonicAnswer& a, std::size_t k) {
         return HarmonicField(a.given(), a.motions.at(k).value);
     };
-    classOf<HarmonicAnswer>(module)
-        ->draws([field](const HarmonicAnswer& a, std::size_t k) {
+    Record<HarmonicAnswer>(module)
+        .draws([field](const HarmonicAnswer& a, std::size_t k) {
             return harmonicFigure(field(a, k), a.scene);
         })
         .moves([field](const HarmonicAnswer& a, std::size_t most, std::size_t k) {
             return motionFrames(MotionSamples(field(a, k), a.scene, usualCells), most);
         });
     module.def("find_harmonic", &findHarmonic);
-    classOf<SceneHarmonicAnswer>(module)
-        ->draws([](const SceneHarmonicAnswer& a, std::size_t k) { return harmonicFigure(a, k); })
+    Record<SceneHarmonicAnswer>(module)
+        .draws([](const SceneHarmonicAnswer& a, std::size_t k) { return harmonicFigure(a, k); })
         .moves([](const SceneHarmonicAnswer& a, std::size_t most, std::size_t k) {
             return barsFrames(a.bars.assembly, networkOf(a.bars.assembly), shownPeriod(a, k), most);
         });
     module.def("find_harmonic_bars", &findHarmonicBars);
     module.def("force_range", &forceRange);
-    classOf<ResponseAnswer>(module)->draws([](const ResponseAnswer& answer) {
+    Record<ResponseAnswer>(module).draws([](const ResponseAnswer& answer) {
         return responseFigure(answer.frequencies, answer.range, answer.bar);
     });
     module.def("response", &response);
-    classOf<ExactAnswer>(module)->draws([](const ExactAnswer& answer) {
+    Record<ExactAnswer>(module).draws([](const ExactAnswer& answer) {
         return exactFigure(answer.frequencies, answer.branches, answer.range, answer.bar);
     });
     module.def("exact_response", &exactResponse);
-    classOf<SceneResponse>(module)->draws(&sceneResponseFigure);
+    Record<SceneResponse>(module).draws(&sceneResponseFigure);
     module.def("response_bars", &responseOfBars);
 }
 

@@ -8,8 +8,8 @@ namespace {
 
 void addFamily(py::module_& module)
 {
-    classOf<FamilyOf>(module)
-        ->has("bar", "Its units.", &FamilyOf::bar)
+    Record<FamilyOf>(module)
+        .has("bar", "Its units.", &FamilyOf::bar)
         .can("schedule", {"cells"}, "That has the whole set on N cells. ValueError unless w | 2N.",
              [](const FamilyOf& f, std::int64_t cells) {
                  return signorini::scheduleOf(f.value, cells);
@@ -18,22 +18,22 @@ void addFamily(py::module_& module)
 
 /// What modes and polytopes share.
 template <typename T>
-auto classOfShape(py::module_& module)
+void addShape(Record<T>& record)
 {
-    auto record = classOf<T>(module);
-    record->has("bar", "Its units.", &T::bar)
+    record.has("bar", "Its units.", &T::bar)
         .can("energy_ratio", {"period_ratio"},
              "E/E_1 at T [L/c], any array. ValueError outside the interval.",
              [](const T& shape, const py::object& periods) {
                  return onPeriods(periods, [&](double t) { return energyRatio(shape.value, t); });
              });
-    return record;
 }
 
 void addMode(py::module_& module)
 {
-    classOfShape<ModeOf>(module)
-        ->has("kappa", "E/E_1 = 1/(kappa T - mu)^2.", [](const ModeOf& m) { return m.value.kappa; })
+    Record<ModeOf> record(module);
+    addShape(record);
+    record
+        .has("kappa", "E/E_1 = 1/(kappa T - mu)^2.", [](const ModeOf& m) { return m.value.kappa; })
         .has("mu", "See kappa.", [](const ModeOf& m) { return m.value.mu; })
         .can("contact_time_ratio", {"period_ratio"},
              "t_c [L/c] at T [L/c], any array. ValueError as above.",
@@ -167,8 +167,9 @@ PolytopeAnswer polytopeMotion(const PolytopeOf& p, double period,
 
 void addPolytope(py::module_& module)
 {
-    classOfShape<PolytopeOf>(module)
-        ->has("phases", "K.", [](const PolytopeOf& p) { return p.value.chains.size(); })
+    Record<PolytopeOf> record(module);
+    addShape(record);
+    record.has("phases", "K.", [](const PolytopeOf& p) { return p.value.chains.size(); })
         .can("slice", {"period_ratio"},
              "Arrivals s_2 ... s_K [L/c] at the corners of T [L/c], an array of shape (corners, "
              "K - 1): the motions of this period are their means, ends excluded. ValueError "
@@ -208,7 +209,7 @@ void addModes(py::module_& module)
 {
     addFamily(module);
     addMode(module);
-    classOf<ModeChain>(module);
+    addClasses<ModeChain>(module);
     addPolytope(module);
     module.def("families", &families);
     module.def("about_rest", [](const Asked& asked) {

@@ -3,10 +3,8 @@
 namespace signorini::python {
 
 template <>
-struct Members<GridMotion> {
-    static constexpr auto list =
-        std::tuple{&GridMotion::state, &GridMotion::schedule, &GridMotion::scene, &GridMotion::bar};
-};
+inline constexpr std::tuple membersOf<GridMotion>{&GridMotion::state, &GridMotion::schedule,
+                                                  &GridMotion::scene, &GridMotion::bar};
 
 /// Motions are made anew of what they are the motions of.
 using KeptMode = std::tuple<Mode, Bar, double, double>;
@@ -89,19 +87,19 @@ const ModeMotion& fieldOf(const Answer& answer)
     return answer.motion;
 }
 
-/// Fields of a T that has a bar: in SI units, and without.
+/// Fields of a T that has a bar: in SI units, or without.
 template <typename T>
-void addFieldsOf(Record<T>& record)
+void addFieldsOf(Record<T>& record, bool isRatio)
 {
     using Field = std::remove_cvref_t<decltype(fieldOf(std::declval<const T&>()))>;
-    const auto add = [&record](const std::string& name, auto member, double Scales::*unit,
-                               const char* what, const char* units, bool isRatio) {
+    const std::string suffix = isRatio ? "_ratio" : "";
+    const auto add = [&](const std::string& name, auto member, double Scales::*unit,
+                         const char* what, const char* units) {
         const char* length = isRatio ? "L" : "m";
-        record.can(name.c_str(), {"x", "t"},
-                   fmt::format("{} [{}] at x [{}] and t [{}], any arrays that NumPy can broadcast "
-                               "together.",
-                               what, units, length, isRatio ? "L/c" : "s")
-                       .c_str(),
+        const std::string doc = fmt::format(
+            "{} [{}] at x [{}] and t [{}], any arrays that NumPy can broadcast together.", what,
+            units, length, isRatio ? "L/c" : "s");
+        record.can((name + suffix).c_str(), {"x", "t"}, doc.c_str(),
                    [=](const T& motion, const py::object& x, const py::object& t) {
                        const auto& field = fieldOf(motion);
                        const Scales scale =
@@ -113,37 +111,30 @@ void addFieldsOf(Record<T>& record)
                        });
                    });
     };
-    const auto both = [&add](const std::string& name, auto member, double Scales::*unit,
-                             const char* what, const char* units, const char* ratioUnits) {
-        add(name, member, unit, what, units, false);
-        add(name + "_ratio", member, unit, what, ratioUnits, true);
-    };
-    both("displacement", &Field::displacement, &Scales::displacement, "u(x, t)", "m", "g");
-    both("velocity", &Field::velocity, &Scales::velocity, "v(x, t)", "m/s", "c g/L");
-    both("strain", &Field::strain, &Scales::strain, "s(x, t), tension > 0,", "-", "g/L");
-    for (const bool isRatio : {false, true}) {
-        record.can(isRatio ? "wall_force_ratio" : "wall_force", {"t"},
-                   isRatio ? "Force of the tip on the wall [EA g/L] at t [L/c], any array."
-                           : "Force of the tip on the wall [N] at t [s], any array; 0 in flight.",
-                   [isRatio](const T& motion, const py::object& t) {
-                       const auto& field = fieldOf(motion);
-                       const double time = isRatio ? 1.0 : scales(motion.bar).time;
-                       const double unit = isRatio ? 1.0 : forceUnit(motion.bar);
-                       return onPeriods(t, [&](double instant) {
-                           return unit * field.wallForce(instant / time);
-                       });
-                   });
-    }
+    add("displacement", &Field::displacement, &Scales::displacement, "u(x, t)",
+        isRatio ? "g" : "m");
+    add("velocity", &Field::velocity, &Scales::velocity, "v(x, t)", isRatio ? "c g/L" : "m/s");
+    add("strain", &Field::strain, &Scales::strain, "s(x, t), tension > 0,", isRatio ? "g/L" : "-");
+    record.can(("wall_force" + suffix).c_str(), {"t"},
+               isRatio ? "Force of the tip on the wall [EA g/L] at t [L/c], any array."
+                       : "Force of the tip on the wall [N] at t [s], any array; 0 in flight.",
+               [isRatio](const T& motion, const py::object& t) {
+                   const auto& field = fieldOf(motion);
+                   const double time = isRatio ? 1.0 : scales(motion.bar).time;
+                   const double unit = isRatio ? 1.0 : forceUnit(motion.bar);
+                   return onPeriods(
+                       t, [&](double instant) { return unit * field.wallForce(instant / time); });
+               });
 }
 
 /// What motions of modes and of polytopes share.
 template <typename Answer>
 void addMotionOf(py::module_& module)
 {
-    const auto record = classOf<Answer>(module);
+    Record<Answer> record(module);
     record
-        ->has("amplitude_ratio", "h = |p| [g/L].",
-              [](const Answer& m) { return m.motion.amplitude(); })
+        .has("amplitude_ratio", "h = |p| [g/L].",
+             [](const Answer& m) { return m.motion.amplitude(); })
         .has("jump_times_ratio",
              "Where p changes its sign, ascending [L/c]: the first is the end of the first "
              "contact; no copy.",
@@ -159,7 +150,8 @@ void addMotionOf(py::module_& module)
              [](const Answer& m, std::int64_t cells) {
                  return StateOf{std::make_shared<const State>(cellMeans(m.motion, cells)), m.bar};
              });
-    addFieldsOf(*record);
+    addFieldsOf(record, false);
+    addFieldsOf(record, true);
 }
 
 StateOf stateAt(const GridMotion& m, std::int64_t step)
@@ -233,7 +225,8 @@ void addMotion(py::module_& module)
                   return filled(field.steps(), [&](std::int64_t k) { return field.wallForce(k); });
               })
         .can("state_at", {"step"}, "The state right after t_m.", &stateAt);
-    addFieldsOf(record);
+    addFieldsOf(record, false);
+    addFieldsOf(record, true);
     addMotionOf<ModeAnswer>(module);
     addMotionOf<PolytopeAnswer>(module);
 }

@@ -25,27 +25,16 @@ using namespace answers;
 
 /// Pointers to the members of a T that count, where that is not simply all of them.
 template <typename T>
-struct Members {
-};
+inline constexpr std::tuple<> membersOf;
 template <>
-struct Members<Scene> {
-    static constexpr auto list = std::tuple{&Scene::bar, &Scene::secondStop, &Scene::segments};
-};
-
-template <typename A, typename B>
-struct Members<std::pair<A, B>> {
-    static constexpr auto list = std::tuple{&std::pair<A, B>::first, &std::pair<A, B>::second};
-};
+inline constexpr std::tuple membersOf<Scene>{&Scene::bar, &Scene::secondStop, &Scene::segments};
 
 template <typename T>
-concept HasList = requires
-{
-    Members<T>::list;
-};
+inline constexpr bool isListed = std::tuple_size_v<std::remove_const_t<decltype(membersOf<T>)>> > 0;
 
 /// Can two of them be compared, and pickled?
 template <typename T>
-inline constexpr bool isKept = HasList<T> || std::is_aggregate_v<T>;
+inline constexpr bool isKept = isListed<T> || std::is_aggregate_v<T>;
 
 namespace detail {
 
@@ -83,8 +72,8 @@ template <typename T, typename Do>
 constexpr void withMembers(T& value, Do doWith)
 {
     using Plain = std::remove_const_t<T>;
-    if constexpr (HasList<Plain>) {
-        std::apply([&](auto... member) { doWith(value.*member...); }, Members<Plain>::list);
+    if constexpr (isListed<Plain>) {
+        std::apply([&](auto... member) { doWith(value.*member...); }, membersOf<Plain>);
     } else if constexpr (isA<Plain, With>) {
         [&]<typename Answer, typename More>(const With<Answer, More>&) {
             using Base = std::conditional_t<std::is_const_v<T>, const Answer, Answer>;
@@ -280,7 +269,7 @@ void pass(Bytes& at, T& value)
         } else {
             pass(at, *value);
         }
-    } else if constexpr (isArray<Plain> || isA<Plain, std::tuple>) {
+    } else if constexpr (isArray<Plain> || isA<Plain, std::tuple> || isA<Plain, std::pair>) {
         std::apply(passEach, value);
     } else if constexpr (isList<Plain>) {
         passList(at, value);

@@ -80,17 +80,29 @@ private:
     py::list keys_;
 };
 
-/// A class with keys.
+/// A class with keys: a describer that makes it of what is described. What has a longer text of its
+/// own than the description says so.
 template <typename T>
 class Record {
 public:
     using Class = py::class_<T, std::shared_ptr<T>>;
 
-    Record(py::handle scope, const char* name, const char* doc)
-        : class_(scope, name, doc), of_(class_)
+    explicit Record(py::handle scope, const char* doc = nullptr) : scope_(scope), doc_(doc)
     {
+        describe(*this, Type<T>());
+    }
+    /// Of what is not described.
+    Record(py::handle scope, const char* name, const char* doc) : scope_(scope)
+    {
+        record(name, doc);
+    }
+
+    void record(const char* name, const char* sentence)
+    {
+        class_.emplace(scope_, name, doc_ != nullptr ? doc_ : sentence);
+        of_.emplace(*class_);
         if constexpr (isKept<T>) {
-            of_.addBytes(
+            of_->addBytes(
                 [](py::handle value, bool isCompared) {
                     return bytesOf(py::cast<const T&>(value), isCompared);
                 },
@@ -101,20 +113,29 @@ public:
                 });
         }
     }
-
-    /// A key that is always there, None where there is no value, or left out.
+    /// Bars in a row that it has are drawn.
     template <typename Get>
-    Record& key(const char* name, const Get& get, const std::string& doc, bool leftOut = false)
+    void key(const char* name, std::string_view unit, const char* sentence, const Get& get,
+             When when = When::always)
     {
-        of_.addKey(name, doc, erased(get), leftOut);
-        return *this;
+        if (when == When::program) {
+            return;
+        }
+        unit = unit.substr(0, unit.find_first_of(">"));
+        unit = unit.substr(0, unit.find_last_not_of(' ') + 1);
+        const std::string text = unit == "-" ? sentence : fmt::format("[{}] {}", unit, sentence);
+        of_->addKey(name, text, erased(get), mayBeLeftOut(when));
+        if constexpr (std::is_same_v<std::remove_cvref_t<std::invoke_result_t<Get, const T&>>,
+                                     Assembly>) {
+            drawsScene(get);
+        }
     }
 
     /// A property that is no key.
     template <typename Get>
     Record& has(const char* name, const char* doc, const Get& get)
     {
-        of_.addProperty(name, doc, erased(get));
+        of_->addProperty(name, doc, erased(get));
         return *this;
     }
 
@@ -123,7 +144,7 @@ public:
     Record& both(const std::string& name, const char* unit, const char* doc, const char* ratioDoc,
                  const Get& get)
     {
-        of_.addBoth(name, unit, doc, ratioDoc, erased(get));
+        of_->addBoth(name, unit, doc, ratioDoc, erased(get));
         return *this;
     }
 
@@ -133,7 +154,7 @@ public:
     {
         const auto define = [&]<std::size_t... k>(std::index_sequence<k...>)
         {
-            class_.def(name, does, py::arg(names[k])..., doc);
+            class_->def(name, does, py::arg(names[k])..., doc);
         };
         define(std::make_index_sequence<count>());
         return *this;
@@ -141,7 +162,7 @@ public:
     template <typename Function>
     Record& can(const char* name, const char* doc, Function does)
     {
-        class_.def(name, does, doc);
+        class_->def(name, does, doc);
         return *this;
     }
 
@@ -149,7 +170,7 @@ public:
     template <typename Figure>
     Record& draws(Figure figure, const char* name = "_figure")
     {
-        class_.def(name, figure);
+        class_->def(name, figure);
         return *this;
     }
     /// Its pictures over one period, or those of the k-th of its motions, at most so many > 0.
@@ -167,7 +188,7 @@ public:
     }
 
     /// The class, for all else.
-    Class& more() { return class_; }
+    Class& more() { return *class_; }
 
 private:
     template <typename Get>
@@ -185,8 +206,10 @@ private:
         });
     }
 
-    Class class_;
-    ClassOfRecord of_;
+    py::handle scope_;
+    const char* doc_ = nullptr;  ///< in place of the sentence of the description
+    std::optional<Class> class_ = {};
+    std::optional<ClassOfRecord> of_ = {};
 };
 
 /// The keys of a described record in a dictionary.
@@ -247,49 +270,11 @@ py::object asPython(const T& value)
     }
 }
 
-/// Makes a class and its keys of what is described; bars in a row that it has are drawn.
-template <typename T>
-struct ClassOfKeys {
-    py::handle scope;
-    const char* doc;  ///< in place of the sentence of the description
-    std::unique_ptr<Record<T>> made = {};
-
-    void record(const char* name, const char* sentence)
-    {
-        made = std::make_unique<Record<T>>(scope, name, doc != nullptr ? doc : sentence);
-    }
-    template <typename Get>
-    void key(const char* name, std::string_view unit, const char* sentence, Get get,
-             When when = When::always)
-    {
-        if (when == When::program) {
-            return;
-        }
-        unit = unit.substr(0, unit.find_first_of(">"));
-        unit = unit.substr(0, unit.find_last_not_of(' ') + 1);
-        const std::string text = unit == "-" ? sentence : fmt::format("[{}] {}", unit, sentence);
-        made->key(name, get, text, mayBeLeftOut(when));
-        if constexpr (std::is_same_v<std::remove_cvref_t<std::invoke_result_t<Get, const T&>>,
-                                     Assembly>) {
-            made->drawsScene(get);
-        }
-    }
-};
-
-/// The class of a described record; what has a longer text of its own than the description says so.
-template <typename T>
-std::unique_ptr<Record<T>> classOf(py::handle scope, const char* doc = nullptr)
-{
-    ClassOfKeys<T> keys{scope, doc};
-    describe(keys, Type<T>());
-    return std::move(keys.made);
-}
-
 /// Classes of records that have no more than their keys.
 template <typename... T>
 void addClasses(py::module_& module)
 {
-    (classOf<T>(module), ...);
+    (Record<T>(module), ...);
 }
 
 }  // namespace signorini::python

@@ -13,9 +13,9 @@ namespace {
 
 void addBar(py::module_& module)
 {
-    const auto record = classOf<Bar>(module, "A bar and its wall, in SI units.");
+    Record<Bar> record(module, "A bar and its wall, in SI units.");
     using Number = std::optional<Quantity>;
-    record->more().def(
+    record.more().def(
         py::init([](const Quantity& length, const Number& waveSpeed, const Number& axialStiffness,
                     const Quantity& gap, const Number& young, const Number& density,
                     const Number& area) {
@@ -56,9 +56,9 @@ void addBar(py::module_& module)
           std::tuple("velocity_unit", &Scales::velocity, "c g/L [m/s]: the unit of velocities."),
           std::tuple("displacement_unit", &Scales::displacement,
                      "g [m]: the unit of displacements.")}) {
-        record->has(name, doc, [unit = unit](const Bar& bar) { return scales(bar).*unit; });
+        record.has(name, doc, [unit = unit](const Bar& bar) { return scales(bar).*unit; });
     }
-    record->has("force_unit", "EA g/L [N]: the unit of forces.", &forceUnit)
+    record.has("force_unit", "EA g/L [N]: the unit of forces.", &forceUnit)
         .has("impulse_unit", "EA g/c [N s]: the unit of impulses.", &impulseUnit)
         .has("frequency_unit", "omega_1/(2 pi) = c/(4L) [Hz]: the unit of `frequency_ratio`.",
              [](const Bar& bar) { return 0.25 / scales(bar).time; });
@@ -66,13 +66,13 @@ void addBar(py::module_& module)
 
 void addWholeScene(py::module_& module)
 {
-    const auto segment = classOf<Segment>(module, "Equal cells of one material of a stepped bar.");
-    segment->more().def(py::init<std::int64_t, double, double, double>(), py::arg("cells"),
-                        py::arg("impedance") = 1.0, py::arg("speed") = 1.0,
-                        py::arg("dashpot") = 0.0);
-    const auto scene = classOf<Scene>(module, "A bar, its stops, and what it is made of.");
+    Record<Segment> segment(module, "Equal cells of one material of a stepped bar.");
+    segment.more().def(py::init<std::int64_t, double, double, double>(), py::arg("cells"),
+                       py::arg("impedance") = 1.0, py::arg("speed") = 1.0,
+                       py::arg("dashpot") = 0.0);
+    Record<Scene> scene(module, "A bar, its stops, and what it is made of.");
     scene
-        ->drawsScene([](const Scene& of) {
+        .drawsScene([](const Scene& of) {
             Assembly assembly = assemblyOf(of, usualCells, {});
             std::erase_if(assembly.parts, [](const AssemblyPart& part) {
                 return part.kind == PartKind::driven || part.kind == PartKind::shaken;
@@ -115,9 +115,9 @@ returned with the Scene. ValueError names the piece that is out of its range.)",
 void addSchedule(py::module_& module)
 {
     Record<Schedule> record(module, "Schedule", "Contacts and flights of one period, in steps.");
-    record.key("cells", &Schedule::cells, "N, cells of the bar.")
-        .key("phases", &Schedule::phases, "[(n_c, n_f), ...], contact and free steps.")
-        .has("steps", "n, all steps of a period.", [](const Schedule& s) { return steps(s); })
+    record.key("cells", "-", "N, cells of the bar.", &Schedule::cells);
+    record.key("phases", "-", "[(n_c, n_f), ...], contact and free steps.", &Schedule::phases);
+    record.has("steps", "n, all steps of a period.", [](const Schedule& s) { return steps(s); })
         .has("period_ratio", "c T/L = n/N.", [](const Schedule& s) { return period(s); })
         .has("frequency_ratio", "omega/omega_1 = 4N/n.",
              [](const Schedule& s) { return frequencyRatio(s); })

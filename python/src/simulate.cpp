@@ -31,11 +31,8 @@ void addWaves(py::module_& module)
 {
     Record<WavesOf> record(module, "Waves", "A state off any grid: two waves in pieces.");
     const auto durations = [](std::vector<Piece> Waves::*wave) {
-        return [wave](const WavesOf& w) {
-            const std::vector<Piece>& pieces = w.value.*wave;
-            return filled(static_cast<std::int64_t>(pieces.size()), [&](std::int64_t k) {
-                return pieces[static_cast<std::size_t>(k)].duration / w.value.crossing;
-            });
+        return [wave](const std::shared_ptr<WavesOf>& w) -> py::object {
+            return view(w->value.*wave, &Piece::duration, w) / py::float_(w->value.crossing);
         };
     };
     const auto values = [](std::vector<Piece> Waves::*wave) {
@@ -63,9 +60,9 @@ void addWaves(py::module_& module)
 
 void addSimulated(py::module_& module)
 {
-    classOf<Simulated>(module)
-        ->both("contact_start", "time_unit", "[s], shape (contacts,).", "[L/c]; no copy.",
-               column(&Seen::contacts, &ContactEvent::start))
+    Record<Simulated>(module)
+        .both("contact_start", "time_unit", "[s], shape (contacts,).", "[L/c]; no copy.",
+              column(&Seen::contacts, &ContactEvent::start))
         .both("contact_end", "time_unit", "[s]", "[L/c]; no copy.",
               column(&Seen::contacts, &ContactEvent::end))
         .both("contact_impulse", "impulse_unit", "[N s]", "[EA g/c]; no copy.",
@@ -195,21 +192,21 @@ SimulatedBars simulateBars(const Asked& asked)
 void addSimulatedBars(py::module_& module)
 {
     using Push = NetworkContactEvent;
-    const auto record = classOf<SimulatedBars>(module);
+    Record<SimulatedBars> record(module);
     for (const auto& [name, member, doc] :
          {std::tuple("contact_start", &Push::start, "[s], shape (times pressed,)."),
           std::tuple("contact_end", &Push::end, "[s]"),
           std::tuple("contact_impulse", &Push::impulse, "[N s]"),
           std::tuple("contact_peak_force", &Push::peakForce, "[N]"),
           std::tuple("contact_speed", &Push::speed, "With which it closed [m/s].")}) {
-        record->has(name, doc, [member = member](const std::shared_ptr<SimulatedBars>& s) {
+        record.has(name, doc, [member = member](const std::shared_ptr<SimulatedBars>& s) {
             return view(s->more.pushes, member, s);
         });
     }
-    record->has("contact_number", "Which contact, from 1.", [](const SimulatedBars& s) {
+    record.has("contact_number", "Which contact, from 1.", [](const SimulatedBars& s) {
         return mapped(s.more.pushes, [](const Push& push) { return push.contact + 1; });
     });
-    record->draws([](const SimulatedBars& s) { return s.more.figure; });
+    record.draws([](const SimulatedBars& s) { return s.more.figure; });
 }
 
 }  // namespace

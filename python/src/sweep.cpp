@@ -151,7 +151,7 @@ std::vector<StudyPoint> study(const Asked& asked)
 void addSweep(py::module_& module)
 {
     addClasses<SweepPointOf, StudyPoint>(module);
-    classOf<SweepAnswer>(module)->draws([](const SweepAnswer& answer) {
+    Record<SweepAnswer>(module).draws([](const SweepAnswer& answer) {
         return sweepFigure(answer.points, answer.range, answer.bar, {});
     });
     module.def("sweep", &sweep);
