@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cmath>
 #include <future>
-#include <limits>
 #include <mutex>
 #include <thread>
 #include <unordered_map>
@@ -118,23 +117,12 @@ Schedule Asked::schedule() const
                                           : py::cast<Schedule>(held);
 }
 
-Excited Asked::place() const
-{
-    return named("force", excitedNames);
-}
-
 std::optional<double> Asked::displacement(double frequencyRatio, const Bar& bar) const
 {
     const auto amplitude = maybe<double>("amplitude");
     const auto derivative = get<int>("derivative");
     const double hertz = frequencyRatio * (0.25 / scales(bar).time);
     return amplitude && derivative > 0 ? displacementAt(hertz, *amplitude, derivative) : amplitude;
-}
-
-double Asked::strainLimit(double unit) const
-{
-    const auto limit = maybe<double>("strain_limit");
-    return limit ? *limit / unit : std::numeric_limits<double>::infinity();
 }
 
 namespace {

@@ -77,6 +77,11 @@ public:
     {
         place = maybe<T>(name).value_or(place);
     }
+    /// In such units.
+    void read(const char* name, double& place, double unit) const
+    {
+        place = has(name) ? get<double>(name) / unit : place;
+    }
     /// A frequency in ω₁, or as text in Hz: those of a bar.
     [[nodiscard]] double frequency(const char* name, const Bar& bar) const;
     /// A number, or text with the unit in which the program takes it.
@@ -112,12 +117,10 @@ public:
     /// Of "period", "frequency" or "hertz" of bars, in steps.
     [[nodiscard]] std::int64_t steps(const Assembly& assembly, std::int64_t cycles) const;
     /// "tip" or "base", of "force".
-    [[nodiscard]] Excited place() const;
+    [[nodiscard]] Excited place() const { return named("force", excitedNames); }
     /// "amplitude" [N] or [m], where "derivative" is not 0 that of a base which moves with so many
     /// ω/ω₁.
     [[nodiscard]] std::optional<double> displacement(double frequencyRatio, const Bar& bar) const;
-    /// "strain_limit" in such units, or infinity.
-    [[nodiscard]] double strainLimit(double unit) const;
 
     /// How a curve is traced, of any bars.
     template <typename Options>

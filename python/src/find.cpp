@@ -75,10 +75,8 @@ FindAnswer find(const Asked& asked)
     options.scene = scene;
     options.formulation = asked.named("formulation", formulationNames);
     options.energyRatio = asked.energyRatio(units);
-    options.strainLimit = asked.strainLimit(scale.strain);
-    if (const auto floor = asked.maybe<double>("tip_floor")) {
-        options.tipFloor = *floor / scale.displacement;
-    }
+    asked.read("strain_limit", options.strainLimit, scale.strain);
+    asked.read("tip_floor", options.tipFloor, scale.displacement);
     std::string how;
     if (const auto target = asked.maybe<StateOf>("target")) {
         how = fmt::format("a state of {} cells", target->value->cells());

@@ -47,7 +47,8 @@ ForcedAnswer findForced(const Asked& asked)
     }
     const Damping damping = asked.damping();
     const Forcing forcing{asked.place(), asked.get<std::int64_t>("cycles"), {}};
-    const ForcedLimits limits{asked.strainLimit(scales(bar).strain)};
+    ForcedLimits limits;
+    asked.read("strain_limit", limits.strain, scales(bar).strain);
     const auto amplitude = asked.maybe<double>("amplitude");
     const auto derivative = asked.get<int>("derivative");
     return findPatiently(asked, steps(schedule), [=](const Wires&) {

@@ -70,12 +70,16 @@ py::dict versionsOfBackends()
 /// What the program's options of a question mean, by their names as Python has them.
 py::dict meaningsOf(const std::string& question)
 {
-    static constexpr std::array questions{
-        Named{asks::find, "find"},           Named{asks::schedule, "schedule"},
-        Named{asks::continuum, "continuum"}, Named{asks::families, "families"},
-        Named{asks::modes, "modes"},         Named{asks::mode, "mode"},
-        Named{asks::atlas, "atlas"},         Named{asks::response, "response"},
-        Named{asks::sweep, "sweep"},         Named{asks::simulation, "simulation"}};
+    static constexpr std::array<Named<unsigned>, 10> questions{{{asks::find, "find"},
+                                                                {asks::schedule, "schedule"},
+                                                                {asks::continuum, "continuum"},
+                                                                {asks::families, "families"},
+                                                                {asks::modes, "modes"},
+                                                                {asks::mode, "mode"},
+                                                                {asks::atlas, "atlas"},
+                                                                {asks::response, "response"},
+                                                                {asks::sweep, "sweep"},
+                                                                {asks::simulation, "simulation"}}};
     const unsigned asked = valueIn(questions, question).value_or(0);  // of a figure none
     py::dict meanings;
     for (const Option& option : options()) {

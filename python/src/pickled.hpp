@@ -25,7 +25,7 @@ using namespace answers;
 
 /// Pointers to the members of a T that count, where that is not simply all of them.
 template <typename T>
-inline constexpr std::tuple<> membersOf;
+inline constexpr std::tuple<> membersOf{};
 template <>
 inline constexpr std::tuple membersOf<Scene>{&Scene::bar, &Scene::secondStop, &Scene::segments};
 

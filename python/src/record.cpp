@@ -1,5 +1,7 @@
 #include "record.hpp"
 
+#include <fmt/format.h>
+
 namespace signorini::python {
 
 namespace {
@@ -22,9 +24,12 @@ ClassOfRecord::~ClassOfRecord()
     type_.attr("_keys") = py::tuple(keys_);
 }
 
-void ClassOfRecord::addKey(std::string_view name, const std::string& doc, const Getter& get,
-                           bool leftOut)
+void ClassOfRecord::addKey(std::string_view name, std::string_view unit, const char* sentence,
+                           const Getter& get, bool mayBeLeftOut)
 {
+    unit = unit.substr(0, unit.find_first_of(">"));
+    unit = unit.substr(0, unit.find_last_not_of(' ') + 1);
+    const std::string doc = unit == "-" ? sentence : fmt::format("[{}] {}", unit, sentence);
     // Words of Python's own get an underscore.
     const std::string attribute = std::string(name) + (name == "lambda" ? "_" : "");
     addProperty(attribute.c_str(), doc, get);
@@ -32,7 +37,7 @@ void ClassOfRecord::addKey(std::string_view name, const std::string& doc, const 
         return !get(valued(value, type));
     };
     keys_.append(py::make_tuple(name, attribute,
-                                leftOut ? py::object(py::cpp_function(lacks)) : py::none()));
+                                mayBeLeftOut ? py::object(py::cpp_function(lacks)) : py::none()));
 }
 
 void ClassOfRecord::addProperty(const char* name, const std::string& doc,

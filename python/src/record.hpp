@@ -6,7 +6,6 @@
 /// and a word of `repr`, which the package makes of `_keys`. Structs whose members are listed
 /// (pickled.hpp) can be compared, hashed, copied and pickled.
 
-#include <fmt/format.h>
 #include <pybind11/stl.h>
 
 #include <array>
@@ -63,8 +62,8 @@ public:
     ClassOfRecord& operator=(const ClassOfRecord&) = delete;
     ~ClassOfRecord();
 
-    /// `leftOut`: where it is not there.
-    void addKey(std::string_view name, const std::string& doc, const Getter& get, bool leftOut);
+    void addKey(std::string_view name, std::string_view unit, const char* sentence,
+                const Getter& get, bool mayBeLeftOut);
     void addProperty(const char* name, const std::string& doc,
                      const std::function<py::object(py::handle)>& get);
     /// Numbers without a unit as "name_ratio", and times a unit of the bar as "name".
@@ -109,7 +108,10 @@ public:
                 [](std::string_view bytes) -> void* {
                     Reader from{bytes};
                     auto value = std::make_unique<T>(take<T>(from));
-                    return from.bytes.empty() ? value.release() : (refusePickle(), nullptr);
+                    if (!from.bytes.empty()) {
+                        refusePickle();
+                    }
+                    return value.release();
                 });
         }
     }
@@ -121,10 +123,7 @@ public:
         if (when == When::program) {
             return;
         }
-        unit = unit.substr(0, unit.find_first_of(">"));
-        unit = unit.substr(0, unit.find_last_not_of(' ') + 1);
-        const std::string text = unit == "-" ? sentence : fmt::format("[{}] {}", unit, sentence);
-        of_->addKey(name, text, erased(get), mayBeLeftOut(when));
+        of_->addKey(name, unit, sentence, erased(get), mayBeLeftOut(when));
         if constexpr (std::is_same_v<std::remove_cvref_t<std::invoke_result_t<Get, const T&>>,
                                      Assembly>) {
             drawsScene(get);

@@ -79,7 +79,6 @@ void requireBars(const Network& bars, const SweepRange& range)
 
 SweepAnswer sweep(const Asked& asked)
 {
-    const double resolution = asked.maybe<double>("resolve").value_or(0.0);
     const auto direction = asked.get<std::string>("direction");
     std::vector<SweepDirection> directions{SweepDirection::up, SweepDirection::down};
     if (direction != "both") {
@@ -90,7 +89,7 @@ SweepAnswer sweep(const Asked& asked)
     range.isCarried = !asked.get<bool>("rest");
     range.derivative = asked.get<int>("derivative");
     range.damping = asked.dampingIfGiven();
-    range.resolution = resolution;
+    asked.read("resolve", range.resolution);
     const auto amplitude = asked.maybe<double>("amplitude").value_or(0.0);
     std::shared_ptr<const Network> bars;
     SweepAnswer answer;
