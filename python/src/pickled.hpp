@@ -252,10 +252,9 @@ void pass(Bytes& at, T& value)
         at.raw(isThere);
         if constexpr (Bytes::reads) {
             if (isThere) {
-                value.emplace();
+                value = take<typename Plain::value_type>(at);
             }
-        }
-        if (isThere) {
+        } else if (isThere) {
             pass(at, *value);
         }
     } else if constexpr (isA<Plain, std::variant>) {
