@@ -74,7 +74,8 @@ void limitStrain(Network& network, const Assembly& assembly, const std::optional
                                             const NetworkResiduals& residuals)
 {
     const NetworkExtremes& seen = residuals.extremes;
-    return strainsOf(assembly, scales, seen.leastStrain, seen.mostStrain);
+    return strainsOf(assembly, scales, std::min(0.0, seen.leastStrain),
+                     std::max(0.0, seen.mostStrain));
 }
 
 /// What multipliers prove: no motion has less energy.

@@ -1,38 +1,15 @@
 #pragma once
 /// \file
-/// Independent checks of forced motions: the rows of a schedule and a march that detects contact,
-/// both on the cells of the bar, and proofs of absence.
+/// Independent proofs that a schedule of a uniform bar has no forced motion.
 
 #include <limits>
 #include <span>
 
 #include "signorini/certificate.hpp"
-#include "signorini/motion.hpp"
 #include "signorini/schedule.hpp"
 #include "signorini/simulation.hpp"
 
 namespace signorini {
-
-/// What a walk over one period of the excitation saw. Residuals are relative, 0 for a motion.
-struct ForcedWalk {
-    double periodicity = 0.0;  ///< change of the state / its largest value
-    double gap = 0.0;          ///< distance from the stop at the start of each contact phase / |g|;
-                               ///< without a gap / the largest wave, as depths are
-    double pressure = 0.0;     ///< largest tension between tip and wall / largest value
-    double penetration = 0.0;  ///< depth of the tip inside a stop / |g|
-    double balance = 0.0;      ///< work of the excitation - dissipation / the larger
-    double march = 0.0;        ///< the march that knows no schedule: change of the state, or depth
-    Extremes extremes;         ///< what the motion reaches
-
-    [[nodiscard]] double worst() const;
-};
-
-/// Walks a state along the schedule, and marches it. O(n + N).
-/// `tolerance`: how near a stop counts as there [|g|, or the largest wave].
-/// \pre the schedule has the state's N cells, N steps per crossing, the excitation n steps.
-[[nodiscard]] ForcedWalk walkForced(const State& state, const Schedule& schedule,
-                                    const Damping& damping, const Excitation& excitation,
-                                    double tolerance = 1e-9);
 
 /// Whose motions are in question: C shape_0 + S shape_1, or a multiple of one shape.
 struct ForcedQuestion {

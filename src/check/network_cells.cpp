@@ -11,13 +11,16 @@ namespace signorini {
 
 void SlidingRange::add(double value)
 {
-    const auto enter = [&](std::deque<Entry>& ends, auto isBeaten) {
-        while (!ends.empty() && !isBeaten(value, ends.back().value)) {
-            ends.pop_back();
+    const auto enter = [&](Ends& ends, auto isBeaten) {
+        auto& [entries, gone] = ends;
+        while (entries.size() > gone && !isBeaten(value, entries.back().value)) {
+            entries.pop_back();
         }
-        ends.push_back({count_, value});
-        if (ends.front().number + window_ <= count_) {
-            ends.pop_front();
+        entries.push_back({count_, value});
+        gone += entries[gone].number + window_ <= count_ ? 1 : 0;
+        if (2 * gone > entries.size()) {
+            entries.erase(entries.begin(), entries.begin() + static_cast<std::ptrdiff_t>(gone));
+            gone = 0;
         }
     };
     enter(most_, std::less<>());
@@ -31,7 +34,7 @@ NetworkCells::NetworkCells(const Network& network, const NetworkClaim& claim, do
       tolerance_(tolerance),
       displacements_(claim.displacements),
       velocities_(network.nodes.size()),
-      extremes_{std::vector<ContactExtremes>(network.contacts.size()), 0.0, 0.0,
+      extremes_{std::vector<ContactExtremes>(network.contacts.size()), infinity, -infinity,
                 claim.displacements}
 {
     const auto* next = claim.waves.data();
@@ -55,7 +58,7 @@ NetworkCells::NetworkCells(const Network& network, const NetworkClaim& claim, do
 
 void NetworkCells::compareWith()
 {
-    size_ = largestSizeOf(claim_.waves);
+    size_ = claim_.wave > 0.0 ? claim_.wave : largestSizeOf(claim_.waves);
     double gap = 0.0;
     std::vector<double> impedances(network_.nodes.size(), 0.0);
     for (std::size_t k = 0; k < network_.channels(); ++k) {
@@ -123,11 +126,11 @@ void NetworkCells::meet(Row& row, double speed, double right, double left,
 
 void NetworkCells::look(std::size_t step)
 {
-    const double driven = claim_.forces.empty() ? 0.0 : claim_.forces[step];
+    driven_ = claim_.forces.empty() ? 0.0 : claim_.forces[step];
     base_ = claim_.velocities.empty() ? 0.0 : claim_.velocities[step];
     pulls_.clear();
     for (const NetworkNode& node : network_.nodes) {
-        pulls_.push_back({node.force + (node.isDriven ? driven : 0.0), node.dashpot});
+        pulls_.push_back({node.force + (node.isDriven ? driven_ : 0.0), node.dashpot});
     }
     const auto add = [this](std::size_t node, double impedance, double wave) {
         pulls_[node].force += 2.0 * impedance * wave;
@@ -148,6 +151,7 @@ void NetworkCells::find(ContactSet closed)
     const std::size_t nodes = network_.nodes.size();
     isHeld_.assign(nodes, false);
     isJoined_.assign(nodes + 1, false);
+    shaken_ = 0.0;
     for (std::size_t j = 0; j < network_.contacts.size(); ++j) {
         if (contains(closed, j)) {
             const NetworkContact& contact = network_.contacts[j];
@@ -168,6 +172,7 @@ void NetworkCells::find(ContactSet closed)
             ++last;
         } while (isJoined_[last]);
         const double v = stands ? given : all.force / all.impedance;
+        shaken_ += stands ? v * (all.impedance * v - all.force) : 0.0;
         std::fill(velocities_.begin() + static_cast<std::ptrdiff_t>(first),
                   velocities_.begin() + static_cast<std::ptrdiff_t>(last), v);
         first = last;
@@ -289,6 +294,7 @@ ContactSet NetworkCells::take(ContactSet closed)
             ++seen.pressed;
         }
     }
+    work();
     send();
     for (std::size_t j = 0; j < network_.contacts.size(); ++j) {
         if (!contains(closed, j)) {
@@ -296,6 +302,30 @@ ContactSet NetworkCells::take(ContactSet closed)
         }
     }
     return pressed;
+}
+
+/// What forces, shaken clamps and dashpots do in the step.
+void NetworkCells::work()
+{
+    double done = shaken_;
+    for (std::size_t node = 0; node < velocities_.size(); ++node) {
+        const NetworkNode& here = network_.nodes[node];
+        const double v = velocities_[node];
+        done += (here.force + (here.isDriven ? driven_ : 0.0)) * v;
+        spent_ += here.dashpot * v * v;
+    }
+    gained_ += done;
+    exchanged_ += std::abs(done);
+}
+
+double NetworkCells::unbalanced() const
+{
+    double held = 0.0;
+    for (const CellRow& row : network_.rows) {
+        held += row.impedance * static_cast<double>(row.cells) * size_ * size_;
+    }
+    const double most = std::max({exchanged_, spent_, held});
+    return most > 0.0 ? std::abs(gained_ - spent_) / most : 0.0;
 }
 
 void NetworkCells::send()
@@ -322,8 +352,9 @@ void NetworkCells::send()
     }
 }
 
-double NetworkCells::change() const
+double NetworkCells::change(double enough) const
 {
+    const double unit = size_ > 0.0 ? size_ : 1.0;
     double most = 0.0;
     const auto see = [&most](double now, double before) {
         most = std::max(most, std::abs(now - before));
@@ -331,17 +362,18 @@ double NetworkCells::change() const
     const auto* next = claim_.waves.data();
     for (const Row& row : rows_) {
         const std::size_t cells = row.right.size();
-        for (std::size_t k = 0; k < cells; ++k) {
-            const std::size_t at = (row.head + k) % cells;
+        std::size_t at = row.head;
+        for (std::size_t k = 0; k < cells && most <= enough * unit; ++k) {
             see(row.right[at], next[cells - 1 - k]);
             see(row.left[at], next[cells + k]);
+            at = at + 1 == cells ? 0 : at + 1;
         }
         next += 2 * cells;
     }
     for (const double wave : stubs_) {
         see(wave, *next++);
     }
-    return most / (size_ > 0.0 ? size_ : 1.0);
+    return most / unit;
 }
 
 double NetworkCells::moved() const

@@ -3,11 +3,11 @@
 /// The cells of a network, as a check moves them: the law of network.hpp written down once more.
 
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "infinity.hpp"
 #include "network_walk.hpp"
 
 namespace signorini {
@@ -18,8 +18,8 @@ public:
     explicit SlidingRange(std::size_t window) : window_(window) {}
 
     void add(double value);
-    [[nodiscard]] double most() const { return most_.front().value; }
-    [[nodiscard]] double least() const { return least_.front().value; }
+    [[nodiscard]] double most() const { return most_.first(); }
+    [[nodiscard]] double least() const { return least_.first(); }
 
 private:
     struct Entry {
@@ -27,10 +27,18 @@ private:
         double value;
     };
 
+    /// Those that no later one beats.
+    struct Ends {
+        std::vector<Entry> entries;
+        std::size_t gone = 0;  ///< so many at the front
+
+        [[nodiscard]] double first() const { return entries[gone].value; }
+    };
+
     std::size_t window_;
     std::size_t count_ = 0;
-    std::deque<Entry> most_;  ///< falling
-    std::deque<Entry> least_;
+    Ends most_;  ///< falling
+    Ends least_;
 };
 
 /// Waves, displacements, and what was seen of them. In each step `look`, `find` or `decide`,
@@ -52,12 +60,16 @@ public:
     ContactSet take(ContactSet closed);
 
     [[nodiscard]] double distance(std::size_t number) const;
-    /// Change of the waves since the start, relative to the largest. O(M).
-    [[nodiscard]] double change() const;
+    /// Change of the waves since the start, relative to the largest; once it is more than enough,
+    /// not all of them are looked at. O(M).
+    [[nodiscard]] double change(double enough = infinity) const;
     /// That of the displacements of bars that drift, relative to the length.
     [[nodiscard]] double moved() const;
     /// Displacements against elongations and springs. O(M).
     [[nodiscard]] double untied() const;
+    /// Work done by forces and shaken clamps - dissipation, relative to the work of all steps, or,
+    /// if they are more, to what is dissipated or waves of the largest size would hold.
+    [[nodiscard]] double unbalanced() const;
 
     /// What lengths are compared with.
     [[nodiscard]] double length() const { return length_; }
@@ -85,6 +97,7 @@ private:
     void compareWith();
     void meet(Row& row, double speed, double right, double left,
               std::optional<std::pair<double, double>> arriving);
+    void work();
     void send();
     [[nodiscard]] double approach(std::size_t number) const;
     [[nodiscard]] double pushOf(ContactSet closed, std::size_t number) const;
@@ -104,7 +117,12 @@ private:
     std::vector<Pull> pulls_;
     std::vector<bool> isHeld_;
     std::vector<bool> isJoined_;  ///< to the node before
+    double driven_ = 0.0;
     double base_ = 0.0;
+    double shaken_ = 0.0;     ///< work of the clamps in this step
+    double gained_ = 0.0;     ///< work
+    double exchanged_ = 0.0;  ///< sum of its sizes
+    double spent_ = 0.0;      ///< in dashpots
     NetworkExtremes extremes_;
     double pull_ = 0.0;
     double penetration_ = 0.0;

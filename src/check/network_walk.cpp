@@ -58,7 +58,7 @@ bool areFinite(const NetworkClaim& claim)
 
 double NetworkResiduals::worst() const
 {
-    return std::max({periodicity, tie, gap, pressure, penetration});
+    return std::max({periodicity, tie, gap, pressure, penetration, balance});
 }
 
 bool NetworkResiduals::presses() const
@@ -84,7 +84,7 @@ NetworkResiduals walk(const Network& network, const NetworkClaim& claim, double 
 {
     validate(network, claim);
     if (!areFinite(claim)) {
-        return {infinity, infinity, infinity, infinity, infinity, {}, {}, {}, {}};
+        return {infinity, infinity, infinity, infinity, infinity, infinity, {}, {}, {}, {}};
     }
     NetworkCells cells(network, claim, tolerance);
     NetworkResiduals seen;
@@ -108,6 +108,7 @@ NetworkResiduals walk(const Network& network, const NetworkClaim& claim, double 
     seen.periodicity = std::max(cells.change(), cells.moved());
     seen.pressure = cells.deepestPull();
     seen.penetration = cells.deepestOverlap();
+    seen.balance = cells.unbalanced();
     seen.extremes = cells.extremes();
     for (const ContactExtremes& contact : seen.extremes.contacts) {
         seen.impulses.push_back(contact.impulse);
@@ -141,7 +142,7 @@ NetworkMarch march(const Network& network, const NetworkClaim& claim, double tol
         }
         ++seen.pressed.back().steps;
         if (steps % (m + 1) == 0 && (seen.repeats == 0 || m + 1 == steps)) {
-            seen.residual = cells.change();
+            seen.residual = cells.change(m + 1 == steps ? infinity : tolerance);
             seen.repeats = seen.repeats == 0 && seen.residual <= tolerance ? m + 1 : seen.repeats;
         }
     }

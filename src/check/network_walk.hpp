@@ -4,6 +4,7 @@
 /// a schedule of sets of closed contacts or by their own decisions, and that know nothing of
 /// programs, matrices or who found the state.
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct NetworkClaim {
     /// Lengths are compared with it; 0: with the largest wave times the steps in which it crosses
     /// all cells, or a wider gap.
     double length = 0.0;
+    double wave = 0.0;  ///< waves are compared with it; 0: with the largest of them
 
     /// Of one period.
     [[nodiscard]] std::int64_t steps() const { return stepsOf(schedule); }
@@ -41,9 +43,11 @@ struct ContactExtremes {
 struct NetworkExtremes {
     std::vector<ContactExtremes> contacts;
     double leastStrain = 0.0;  ///< of (l - r)/speed, in cells, between them and at their nodes, and
-                               ///< of the shape at rest under constant forces; at most 0
-    double mostStrain = 0.0;   ///< at least 0
+                               ///< of the shape at rest under constant forces
+    double mostStrain = 0.0;
     std::vector<double> leastDisplacements;  ///< by node
+
+    [[nodiscard]] double largestStrain() const { return std::max(-leastStrain, mostStrain); }
 };
 
 /// Violations, 0 where there are none; all infinite if a value is not finite.
@@ -53,11 +57,12 @@ struct NetworkResiduals {
     double gap = 0.0;          ///< |distance| where a contact is closed that was open
     double pressure = 0.0;     ///< deepest pull of a closed contact / largest force of a wave
     double penetration = 0.0;  ///< deepest overlap of an open contact
+    double balance = 0.0;      ///< |work of forces and clamps - dissipation| / what was exchanged
     std::vector<double> impulses = {};    ///< by contact, over the period
     std::vector<double> peakForces = {};  ///< by contact
     NetworkExtremes extremes = {};
     std::vector<ContactSet> pressed = {};  ///< in each part of the schedule: those that press
-    /// The largest of the five.
+    /// The largest of the six.
     [[nodiscard]] double worst() const;
     /// Does any contact press?
     [[nodiscard]] bool presses() const;

@@ -78,9 +78,10 @@ void addPermanent(FrequencyResponse& response, const ResponseRange& range)
         state.b[i] += excitation.baseVelocity(i);
     }
     const Schedule schedule{range.cells, {{steps, 0}}, range.stops};
-    const ForcedWalk walk = walkForced(state, schedule, range.damping, excitation);
-    contact.extremes = walk.extremes;
-    contact.residual = walk.worst();
+    const auto [seen, extremes] =
+        verifyBar(state, schedule, {}, forcedTolerance, range.damping, excitation);
+    contact.extremes = extremes;
+    contact.residual = seen.residuals.worst();
 }
 
 ForcedMotion drivenMotion(const Schedule& schedule, const Damping& damping,
@@ -119,17 +120,15 @@ ForcedMotion forcedMotion(const ForcedCase& all, Plane place, std::span<const do
     for (std::size_t k = 0; k < free.size(); ++k) {
         amplitudes[static_cast<std::size_t>(undamped[k])] = free[k];
     }
-    motion.state = stateOfWaves(cells, [&](std::int64_t m) {
+    State state = stateOfWaves(cells, [&](std::int64_t m) {
         const std::int64_t at = m % n;
         const double own = amplitudes[static_cast<std::size_t>(at % all.waves.classes())];
         return all.waves.wave(at).dot(place) + (own != 0.0 ? own * all.waves.sign(at) : 0.0);
     });
     for (std::int64_t i = 0; i < cells; ++i) {
-        motion.state.b[i] += motion.excitation.baseVelocity(i);
+        state.b[i] += motion.excitation.baseVelocity(i);
     }
-    const ForcedWalk walk = walkForced(motion.state, all.schedule, all.damping, motion.excitation);
-    motion.extremes = walk.extremes;
-    motion.residual = walk.worst();
+    enterState(motion, {}, std::move(state));
     return motion;
 }
 

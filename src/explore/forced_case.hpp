@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "forced_check.hpp"
 #include "forced_line.hpp"
 #include "signorini/response.hpp"
 

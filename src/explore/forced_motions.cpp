@@ -3,6 +3,7 @@
 
 #include "faults.hpp"
 #include "forced_case.hpp"
+#include "forced_check.hpp"
 #include "forced_set.hpp"
 #include "network_forced.hpp"
 #include "resting_tip.hpp"

@@ -121,6 +121,9 @@ std::int64_t stepsOf(std::span<const ContactSpan> schedule)
 StepDrive driveOf(const Excitation& excitation)
 {
     StepDrive drive;
+    for (auto* list : {&drive.forces, &drive.velocities, &drive.places}) {
+        list->reserve(excitation.values.size());
+    }
     for (std::int64_t m = 0; m < excitation.steps(); ++m) {
         drive.forces.push_back(excitation.force(m));
         drive.velocities.push_back(excitation.baseVelocity(m));

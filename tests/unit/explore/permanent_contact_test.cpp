@@ -65,6 +65,19 @@ TEST_CASE("permanent contact: under a force it is listed once at every frequency
     }
 }
 
+TEST_CASE("permanent contact: a force on a tip that is held leaves the strain at rest, -1")
+{
+    ResponseRange range = pressedRange(Excited::tip, 0.3);
+    for (const std::vector<Segment>& segments :
+         {std::vector<Segment>{}, std::vector<Segment>{{8}, {12}}}) {
+        range.segments = segments;
+        const auto response = responseAt(range, 77);
+        REQUIRE(response->permanent);
+        CHECK(response->permanent->extremes.peakCompression == Approx(1.0));
+        CHECK(response->permanent->extremes.peakTension == Approx(-1.0));
+    }
+}
+
 TEST_CASE("permanent contact: above a moving base it ends where the clamped bar resonates")
 {
     // A rod between base and wall: the strain at the wall is Y omega/sin(omega L/c) for fine grids.

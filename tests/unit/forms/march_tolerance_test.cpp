@@ -10,6 +10,7 @@
 #include "bar_check.hpp"
 #include "catch.hpp"
 #include "contact_spans.hpp"
+#include "infinity.hpp"
 #include "march_support.hpp"
 #include "network_walk.hpp"
 #include "signorini/verification.hpp"
@@ -199,8 +200,8 @@ TEST_CASE("march: strains of segments are those in every cell of a bar cut twice
         const bool isHeld = draw() % 2 == 0;
         const std::int64_t steps = isHeld ? 2 * half : 4 * half;
         SteppedWaves waves(bar, fine);
-        double lowest = 0.0;
-        double highest = 0.0;
+        double lowest = infinity;
+        double highest = -infinity;
         for (std::int64_t m = 0; m < 2 * steps; ++m) {
             const State now = waves.state();
             Eigen::Index cell = 0;
