@@ -34,9 +34,9 @@ inline constexpr double mostForcedAmplitude = 1e9;
 [[nodiscard]] bool forbidsContact(const ForcedQuestion& question,
                                   std::span<const ForcedCondition> conditions);
 
-/// Do the conditions forbid all motions whose excitation has this amplitude > 0? Of such there are
-/// at most two with u(L, 0) = g, each of which must break one of the conditions for certain; or two
-/// waves that nothing damps allow no excitation at all. O(n + conditions).
+/// Do the conditions forbid all motions whose excitation has this amplitude > 0? Of the circle of
+/// such (C, S) u(L, 0) = g and the conditions that no undamped wave is in leave nothing for certain
+/// (energy_floor.hpp). O(n + conditions^2).
 [[nodiscard]] bool forbidsAmplitude(const ForcedQuestion& question, double amplitude,
                                     std::span<const ForcedCondition> conditions);
 

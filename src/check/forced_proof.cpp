@@ -2,6 +2,7 @@
 #include <map>
 #include <numeric>
 
+#include "energy_floor.hpp"
 #include "forced_rows.hpp"
 #include "rational.hpp"
 #include "stops.hpp"
@@ -128,44 +129,31 @@ std::optional<std::vector<EnclosedRow>> rowsOf(const EnclosedWaves& waves,
     return rows;
 }
 
-/// Is row . (C, S) at the place certainly not what it has to be? \pre a row without free waves
-bool isBroken(const EnclosedRow& row, const EnclosedPlane& place)
+/// What rows without free waves leave of (C, S), of one shape with S = 0; only those that scale
+/// with it, if so asked. A row that may be 0 leaves all, unless it is broken at once.
+std::vector<ExcitationCut> cutsOf(const std::vector<EnclosedRow>& rows, bool isPlane, bool scale)
 {
-    const Interval value = row.plane.dot(place) - row.limit;
-    return value.isNegative() || (row.isEquality && value.isPositive());
-}
-
-bool isZero(const Interval& x)
-{
-    return x.low == 0.0 && x.high == 0.0;
-}
-
-/// Do the rows leave no excitation but 0? Two waves that nothing damps can do that, or, if no such
-/// wave is in the rows and their right sides are 0, the line of the first row and rows that cut it
-/// at 0 from both sides.
-bool forbidsExcitation(const std::vector<EnclosedRow>& rows, bool isPlane)
-{
-    const auto isCertain = [](const Interval& x) { return x.isPositive() || x.isNegative(); };
-    const auto across = [&](const EnclosedRow& x, const EnclosedRow& y) {
-        return isPlane ? x.plane.cross(y.plane) : x.plane.c;
+    std::vector<ExcitationCut> cuts;
+    const auto add = [&cuts](const EnclosedPlane& plane, double right) {
+        if (plane.dot(plane).isPositive() || right > 0.0) {
+            cuts.push_back({plane.c, plane.s, 0.0, right});
+        }
     };
-    bool isBelow = false;
-    bool isAbove = false;
-    bool areAlone = true;
     for (const EnclosedRow& row : rows) {
-        areAlone = areAlone && row.free.empty() && isZero(row.limit);
-        const Interval slope = across(rows.front(), row);
-        isBelow = isBelow || slope.isPositive() || (row.isEquality && slope.isNegative());
-        isAbove = isAbove || slope.isNegative() || (row.isEquality && slope.isPositive());
+        const bool isZero = row.limit.low == 0.0 && row.limit.high == 0.0;
+        if (!row.free.empty() || (scale && !isZero)) {
+            continue;
+        }
+        add(row.plane, row.limit.low);
+        if (row.isEquality) {
+            add(EnclosedPlane{} - row.plane, -row.limit.high);
+        }
     }
-    if (areAlone && (isPlane ? isBelow && isAbove : isCertain(rows.front().plane.c))) {
-        return true;
+    if (!isPlane) {
+        add({{}, 1.0}, 0.0);
+        add({{}, -1.0}, 0.0);
     }
-    const auto isWork = [](const EnclosedRow& r) {
-        return r.isEquality && r.free.empty() && isZero(r.limit);
-    };
-    return rows.size() > 1 && std::all_of(rows.begin() + 1, rows.end(), isWork) &&
-           isCertain(across(rows[1], rows.back()));
+    return cuts;
 }
 
 /// One contact phase with fewer steps of flight than classes, and no gap: the tip rests at the
@@ -228,7 +216,7 @@ bool forbidsContact(const ForcedQuestion& question, std::span<const ForcedCondit
         return false;
     }
     if (canRest(question.schedule.phases, question.schedule.stops)) {
-        return forbidsExcitation(*rows, question.shapes.size() > 1);
+        return forbidJust(cutsOf(*rows, question.shapes.size() > 1, true), 1.0, 0.0);
     }
     const std::vector<RationalVector> basis = combinationsWithoutFree(*rows);
     std::vector<EnclosedPlane> left;
@@ -271,36 +259,7 @@ bool forbidsAmplitude(const ForcedQuestion& question, double amplitude,
     if (!rows) {
         return false;
     }
-    const bool isPlane = question.shapes.size() > 1;
-    if (!conditions.empty() && forbidsExcitation(*rows, isPlane)) {
-        return true;
-    }
-    if (std::any_of(rows->begin(), rows->end(),
-                    [](const EnclosedRow& row) { return !row.free.empty(); })) {
-        return false;
-    }
-    // The places with gap . (C, S) = N and |(C, S)| = A: across the gap row by +-sqrt(A^2|gap|^2 -
-    // N^2), over |gap|^2.
-    const EnclosedRow& gap = rows->front();
-    const EnclosedPlane across{Interval(0.0) - gap.plane.s, gap.plane.c};
-    const Interval squares = gap.plane.dot(gap.plane);
-    const Interval reach =
-        Interval(amplitude) * Interval(amplitude) * squares - gap.limit * gap.limit;
-    if (reach.isNegative()) {
-        return true;
-    }
-    if (!isPlane) {
-        return reach.isPositive();
-    }
-    const Interval away = reach.root();
-    const auto isMissed = [&](double side) {
-        const Interval over = Interval(1.0) / squares;
-        const EnclosedPlane place =
-            over * (gap.limit * gap.plane + (Interval(side) * away) * across);
-        return std::any_of(rows->begin() + 1, rows->end(),
-                           [&](const EnclosedRow& row) { return isBroken(row, place); });
-    };
-    return squares.isPositive() && isMissed(1.0) && isMissed(-1.0);
+    return forbidJust(cutsOf(*rows, question.shapes.size() > 1, false), amplitude, 0.0);
 }
 
 }  // namespace signorini
