@@ -46,13 +46,16 @@ Extremes extremesOf(const NetworkExtremes& seen, const Schedule& schedule, doubl
 NetworkClaim claimOf(const Network& network, const State& state, const Schedule& schedule,
                      const Excitation& excitation)
 {
-    const bool isDriven = !excitation.values.empty();
-    const StepDrive drive = isDriven ? driveOf(excitation) : StepDrive{};
-    NetworkClaim claim{.waves = wavesOf(network, state),
-                       .displacements = {isDriven ? drive.places.front() : 0.0},
-                       .schedule = {},
-                       .forces = drive.forces,
-                       .velocities = drive.velocities};
+    NetworkClaim claim{.waves = wavesOf(network, state), .displacements = {0.0}};
+    if (!excitation.values.empty()) {
+        claim.displacements.front() = excitation.baseDisplacement(0) * excitation.stepsPerCrossing;
+        const bool isForce = excitation.place == Excited::tip;
+        std::vector<double>& drive = isForce ? claim.forces : claim.velocities;
+        drive.reserve(excitation.values.size());
+        for (std::int64_t m = 0; m < excitation.steps(); ++m) {
+            drive.push_back(isForce ? excitation.force(m) : excitation.baseVelocity(m));
+        }
+    }
     Eigen::Index next = 0;
     for (const CellRow& row : network.rows) {
         claim.displacements.push_back(claim.displacements.back() +
