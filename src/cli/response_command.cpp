@@ -170,8 +170,7 @@ void requireTogether(const Given& given, const CommonOptions& common, const Forc
     refuseIf(force.derivative > 0 && hasMap, "--map", given.text("--map"),
              "only with --amplitude: at each frequency another displacement is meant");
     refuseIf(!isUniform(range.segments) && given.has("--backbone-csv"),
-             "--backbone-csv: allowed only for a uniform bar: modes of several segments are not "
-             "known");
+             "--backbone-csv: allowed of a uniform bar, whose modes are known");
     refuseIf(given.has("--band") && range.contacts < 2, "--band", given.text("--band"),
              "only together with --contacts 2");
     refuseIf(

@@ -54,7 +54,8 @@ ExitStatus findHarmonicInBars(const FindCommand& call, const Assembly& assembly)
     refuseIf(!call.given.words().empty(),
              "NC NF clash with --period, --frequency and --hertz: allowed one of them");
     refuseIf(call.given.whole("--contacts").value_or(1) != 1, "--contacts",
-             call.given.text("--contacts"), "1 of several bars or segments");
+             call.given.text("--contacts"),
+             "1; more of one bar of equal segments, which is followed until it settles");
     requireOfBars(call, assembly);
     const Network network = networkOf(assembly);
     FindOutputs files(call);

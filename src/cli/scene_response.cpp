@@ -179,10 +179,16 @@ void writeSceneMapCsv(const std::string& path, const SceneResponse& answer)
 ExitStatus respondInBars(const Given& given, const CommonOptions& common, const ForceOptions& force,
                          const Assembly& assembly)
 {
-    for (const char* option : {"--band", "--force-steps", "--backbone-csv"}) {
-        refuseIf(given.has(option), option, given.text(option),
-                 "none of several bars, or with --exact of segments");
-    }
+    constexpr std::string_view twoContacts =
+        "of a uniform bar: only its recursion decides all schedules with two contacts; find "
+        "decides one of several bars or segments";
+    refuseIf(given.whole("--contacts").value_or(1) != 1, "--contacts", given.text("--contacts"),
+             fmt::format("1; 2 {}", twoContacts));
+    refuseIf(given.has("--band"), fmt::format("--band: allowed with two contacts {}", twoContacts));
+    refuseIf(given.has("--force-steps"),
+             "--force-steps: allowed of a uniform bar: of others the steps are given");
+    refuseIf(given.has("--backbone-csv"),
+             "--backbone-csv: allowed of a uniform bar, whose modes are known");
     const bool isExact = given.has("--exact");
     for (const char* option : {"--map", "--map-csv"}) {
         refuseIf(
@@ -196,8 +202,6 @@ ExitStatus respondInBars(const Given& given, const CommonOptions& common, const 
                   .waveSpeed = assembly.waveSpeed,
                   .young = answers::modulusOf(assembly)};
     const auto yieldStress = yieldStressOf(given, bar);
-    refuseIf(given.whole("--contacts").value_or(1) != 1, "--contacts", given.text("--contacts"),
-             "1 of several bars or segments");
     refuseIf(common.choosesCells, "--cells", given.text("--cells"),
              "a number, or auto for a uniform bar: of others the cells are given");
     force.requirePlace();
