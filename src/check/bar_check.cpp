@@ -103,9 +103,10 @@ BarVerification verifyBar(const State& state, const Schedule& schedule,
     Verification& seen = result.seen;
     seen.residuals = {walked.periodicity, walked.gap,   walked.pressure,
                       walked.penetration, own.residual, 0.0};
-    if (isDriven) {
-        seen.residuals.periodicity = claim.wave > 0.0 ? std::max(walked.periodicity, walked.balance)
-                                                      : infinity;  // no wave at all
+    if (isDriven && claim.wave > 0.0) {
+        seen.residuals.periodicity = std::max(walked.periodicity, walked.balance);
+    } else if (isDriven) {  // no wave at all
+        seen.residuals.periodicity = infinity;
     }
     if (std::isinf(seen.residuals.periodicity)) {
         seen.residuals.demands = infinity;

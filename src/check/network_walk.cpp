@@ -142,7 +142,7 @@ NetworkMarch march(const Network& network, const NetworkClaim& claim, double tol
         }
         ++seen.pressed.back().steps;
         if (steps % (m + 1) == 0 && (seen.repeats == 0 || m + 1 == steps)) {
-            seen.residual = cells.change(m + 1 == steps ? infinity : tolerance);
+            seen.residual = m + 1 == steps ? cells.change() : cells.change(tolerance);
             seen.repeats = seen.repeats == 0 && seen.residual <= tolerance ? m + 1 : seen.repeats;
         }
     }

@@ -123,6 +123,7 @@ double largestStrain(BarSimulation& simulation, double duration)
     BarSimulation copy = simulation;
     const std::vector<Segment> segments = steppedBar(simulation.segments()).segments;
     std::vector<double> speeds;
+    speeds.reserve(segments.size());
     for (const Segment& segment : segments) {
         speeds.push_back(segment.speed);
     }
@@ -136,6 +137,7 @@ double largestStrain(NetworkSimulation& simulation, double duration)
 {
     const Network& network = simulation.network();
     std::vector<double> speeds;
+    speeds.reserve(network.rows.size());
     for (const CellRow& row : network.rows) {
         speeds.push_back(row.speed);
     }
