@@ -21,7 +21,8 @@ using namespace plot;
 
 constexpr double plotWidth = 14.0;  ///< [cm]
 
-/// Longest flight drawn: beyond, there are only repetitions of linear motions.
+/// Longest flight drawn of a bar with families: beyond, there are only repetitions of linear
+/// motions.
 constexpr double longestFlight = 4.0;
 
 /// Families whose tents are named, and how far apart the names stand.
@@ -39,7 +40,7 @@ struct Map {
     double cells = 1.0;         ///< of the finest grid
 
     Map(const AtlasDatabase& atlas, std::optional<std::int64_t> of, Stop contact, bool isOfFamilies)
-        : contact_(contact)
+        : contact_(contact), longest_(isOfFamilies ? longestFlight : infinity)
     {
         const auto show = [this](const AtlasEntry& entry) { add(entry); };
         // Of one contact families leave nothing undecided.
@@ -69,7 +70,7 @@ private:
         const Phase& phase = entry.schedule.phases.front();
         const double contact = static_cast<double>(phase.contact) / size;
         const double flight = static_cast<double>(phase.free) / size;
-        if (flight > longestFlight) {
+        if (flight > longest_) {
             return;
         }
         contactTime = std::max(contactTime, contact);
@@ -95,6 +96,7 @@ private:
     }
 
     Stop contact_;
+    double longest_;  ///< flight
 };
 
 /// The maps of an atlas, to one scale: one of one bar, whose stops share it, and one for each

@@ -149,7 +149,9 @@ private:
         motion.late = wavesOf(late.pushes, given_.amplitude * unit);
         motion.early = isPinned ? motion.late : wavesOf(early.pushes, given_.amplitude * unit);
         measure(given_, motion);
-        if (motion.residual <= harmonicTolerance) {
+        const double force = 2.0 * largestOf(given_.network.rows, &CellRow::impedance) *
+                             largestOf(motion.late, [](Complex wave) { return lengthOf(wave); });
+        if (motion.residual <= harmonicTolerance && motion.peakForce > harmonicTolerance * force) {
             found_.push_back(std::move(motion));
         }
     }

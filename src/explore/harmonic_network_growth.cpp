@@ -15,8 +15,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double faded = 1e-12;               // of a front
-constexpr std::int64_t watchedPeriods = 400;  // in which waves between fronts fade
+constexpr double faded = 1e-12;      // of a front
+constexpr int watchedPeriods = 401;  // in which waves between fronts fade
 
 /// How a front goes on where it meets an event.
 struct Orders {
@@ -172,20 +172,30 @@ private:
         std::uniform_real_distribution<double> any(-1.0, 1.0);
         std::vector<double> start(given_.network.waves());
         std::generate(start.begin(), start.end(), [&] { return any(generator); });
-        NetworkWaves<double> waves(given_.network, std::move(start));
-        double half = 0.0;
-        for (std::int64_t k = 1; k <= watchedPeriods; ++k) {
+        double grown = 0.0;  // log
+        double slope = 0.0;  // of it, by least squares over the second half
+        double spread = 0.0;
+        for (int k = 0; k < watchedPeriods; ++k) {
+            NetworkWaves<double> waves(given_.network, std::move(start));
             for (std::int64_t m = 0; m < given_.steps; ++m) {
                 waves.step(m < held ? closed_ : open_, 0.0, 0.0);
             }
-            if (2 * k == watchedPeriods) {
-                half = sizeOf(waves.waves());
+            start = waves.waves();
+            const double size = sizeOf(start);
+            if (!(size > 0.0)) {
+                return 0.0;
+            }
+            grown += portable::log(size);
+            const double late = static_cast<double>(k) - 0.75 * (watchedPeriods - 1);
+            if (2 * k >= watchedPeriods - 1) {
+                slope += late * grown;
+                spread += late * late;
+            }
+            for (double& wave : start) {
+                wave /= size;
             }
         }
-        const double last = sizeOf(waves.waves());
-        return last > 0.0 ? portable::exp(2.0 / static_cast<double>(watchedPeriods) *
-                                          portable::log(last / half))
-                          : 0.0;
+        return portable::exp(slope / spread);
     }
 
     const HarmonicNetwork& given_;

@@ -22,11 +22,11 @@
 
 namespace signorini {
 
-/// The largest growth, that of waves between fronts included: the network
-/// stays near the motion if it is below 1. None where the orders differ by more than 2e-3, or
-/// fronts fade too slowly. Below 1 it is near that of the slowest waves. \pre a motion of this
-/// network, without constant forces. O(n nodes) for each period in which a front is there, and
-/// O(waves).
+/// The largest growth, that of waves between fronts included: the network stays near the motion if
+/// it is below 1. None where the orders differ by more than 2e-3, or fronts fade too slowly. Where
+/// it is below 1 and waves between fronts fade as slowly it is known to a hundredth only. \pre a
+/// motion of this network, without constant forces. O(n nodes) for each period in which a front is
+/// there, and O(waves).
 [[nodiscard]] std::optional<double> growthOf(const HarmonicNetwork& given,
                                              const NetworkHarmonicMotion& motion);
 

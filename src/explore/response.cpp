@@ -47,7 +47,8 @@ void validate(const ResponseRange& range)
         requireCells(steppedBar(range.segments), range.cells);
     }
     if (!isUniform(range.segments) && range.contacts > 1) {
-        faults.add("contacts", range.contacts, "1; 2 of a uniform bar, whose recursion decides all such schedules");
+        faults.add("contacts", range.contacts,
+                   "1; 2 of a uniform bar, whose recursion decides all such schedules");
         faults.throwIfAny();
     }
 }

@@ -82,10 +82,20 @@ double mergedBelow(const Waves& start, const Damping& damping, const Excitation&
     return below * size;
 }
 
+/// How far the base is from 0, at the start or at any time [g].
+double reachOfBase(const Waves& start, const Excitation& excitation)
+{
+    double reach = std::abs(start.base.value_or(0.0));
+    for (std::int64_t m = 0; m < excitation.steps(); ++m) {
+        reach = std::max(reach, std::abs(excitation.baseDisplacement(m)));
+    }
+    return reach;
+}
+
 /// How far start and stops reach [g].
 double reachOf(const Waves& start, const Excitation& excitation, const Stops& stops)
 {
-    double reach = std::abs(start.base.value_or(excitation.baseDisplacement(0)));
+    double reach = reachOfBase(start, excitation);
     for (const auto* wave : {&start.a, &start.b}) {
         for (const Piece& piece : *wave) {
             reach += piece.duration / start.crossing * std::abs(piece.value);
@@ -101,10 +111,7 @@ double leadOf(const Waves& start, const Excitation& excitation)
     constexpr double rounding = 1e-9;
     const double there = excitation.baseDisplacement(0);
     const double here = start.base.value_or(there);
-    double reach = std::abs(here);
-    for (std::int64_t m = 0; m < excitation.steps(); ++m) {
-        reach = std::max(reach, std::abs(excitation.baseDisplacement(m)));
-    }
+    const double reach = reachOfBase(start, excitation);
     return std::abs(here - there) <= rounding * reach ? 0.0 : here - there;
 }
 

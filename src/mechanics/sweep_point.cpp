@@ -11,6 +11,8 @@ namespace signorini {
 
 namespace {
 
+constexpr double same = 1e-9;  // crossings: one time
+
 /// A piece of a wave, and when it is at the tip [crossings].
 struct Passing {
     double begin;
@@ -27,7 +29,9 @@ std::vector<Passing> passing(const std::vector<Waves>& states, std::vector<Piece
         double at = from + static_cast<double>(k);
         for (const Piece& piece : states[k].*wave) {
             const double end = at + piece.duration / states[k].crossing;
-            all.push_back({at, end, piece.value});
+            if (end - at > same) {  // else two fronts at one time
+                all.push_back({at, end, piece.value});
+            }
             at = end;
         }
     }
@@ -39,7 +43,6 @@ std::vector<Passing> passing(const std::vector<Waves>& states, std::vector<Piece
 /// those at the beginning, and after each crossing. O(pieces).
 double largestStrain(const std::vector<Waves>& states)
 {
-    constexpr double same = 1e-9;
     const std::vector<Passing> arriving = passing(states, &Waves::a, 0.0);
     const std::vector<Passing> leaving = passing(states, &Waves::b, -1.0);
     double worst = 0.0;

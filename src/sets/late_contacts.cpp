@@ -62,7 +62,8 @@ std::optional<double> pairOf(const std::vector<double>& late, const std::vector<
     const double early =
         portable::exp((size(2 * all / 3) - size(third)) / static_cast<double>(third));
     const double last = portable::exp((size(all) - size(2 * all / 3)) / static_cast<double>(third));
-    return std::abs(early - last) <= sameGrowth * last ? std::optional(last) : std::nullopt;
+    return std::isfinite(last) && std::abs(early - last) <= sameGrowth * last ? std::optional(last)
+                                                                              : std::nullopt;
 }
 
 }  // namespace
@@ -93,12 +94,13 @@ std::optional<double> growthOfLate(const std::vector<double>& weights, std::size
         }
         if (most > 1e100 || (most < 1e-100 && most > 0.0)) {
             // Only what is still seen is kept on one scale.
+            const double common = scale[n] + portable::log(most);
             for (std::size_t i = n - std::min(n, terms); i <= n; ++i) {
                 for (std::size_t k = 0; k < count; ++k) {
                     late[i * count + k] /= most;
                 }
+                scale[i] = common;
             }
-            scale[n] += portable::log(most);
         }
     }
     return pairOf(late, scale, count);

@@ -98,10 +98,10 @@ TEST_CASE("harmonic network: of one bar disturbances grow as by the closed form"
     std::size_t missing = 0;  // in one of the two
     std::array<std::size_t, 2> growing{};
     std::array<std::size_t, 2> pinned{};
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < 300; ++i) {
         const std::int64_t cells = 30 + i % 23;
         const auto steps = static_cast<std::int64_t>(draw(2.0, 5.5) * static_cast<double>(cells));
-        const Damping damping{.ratio = std::pow(10.0, draw(-2.0, -0.7))};
+        const Damping damping{.ratio = std::pow(10.0, draw(-2.0, -0.2))};
         const Excited place = i % 2 == 0 ? Excited::tip : Excited::base;
         const double amplitude = std::pow(10.0, draw(-1.0, 0.5));
         const HarmonicCase given = harmonicCase(
@@ -121,7 +121,8 @@ TEST_CASE("harmonic network: of one bar disturbances grow as by the closed form"
             ++known;
             ++pinned.at(network[k].isPinned ? 1 : 0);
             ++growing.at(*growth > 1.0 ? 1 : 0);
-            CHECK(*growth == Approx(*closed).epsilon(2e-3));
+            // Where waves between fronts fade as slowly both know it to a hundredth only.
+            CHECK(*growth == Approx(*closed).epsilon(*closed > 0.8 ? 2e-3 : 2e-2));
         }
     }
     CHECK(known > 40);
@@ -286,6 +287,13 @@ TEST_CASE("harmonic network: without contact a gap keeps what the linear motion 
         CHECK(1.0 - distances[0] / cells ==
               Approx(exactAt(range, n)->linearPeak).epsilon(1e-9).margin(1e-13));
     }
+}
+
+TEST_CASE("harmonic network: a contact without force is none")
+{
+    // At rest on its stop the tip of a bar whose waves are those of an open one touches it.
+    const Network network = barsOf("clamp 3 dash=0.15580032922161893 driven stop=0");
+    CHECK(harmonicContacts(HarmonicNetwork{network, Excited::tip, 1.0, 6, 1}).empty());
 }
 
 TEST_CASE("harmonic network: what cannot be asked")
