@@ -40,8 +40,11 @@ struct Map {
     double cells = 1.0;         ///< of the finest grid
 
     Map(const AtlasDatabase& atlas, std::optional<std::int64_t> of, Stop contact, bool isOfFamilies)
-        : contact_(contact), longest_(isOfFamilies ? longestFlight : infinity)
+        : contact_(contact)
     {
+        if (isOfFamilies) {
+            longest_ = longestFlight;
+        }
         const auto show = [this](const AtlasEntry& entry) { add(entry); };
         // Of one contact families leave nothing undecided.
         isOfFamilies ? atlas.forEachFound(of, show) : atlas.forEachSchedule(of, show);
@@ -96,7 +99,7 @@ private:
     }
 
     Stop contact_;
-    double longest_;  ///< flight
+    double longest_ = infinity;  ///< flight
 };
 
 /// The maps of an atlas, to one scale: one of one bar, whose stops share it, and one for each
