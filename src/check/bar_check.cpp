@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compensated_sum.hpp"
 #include "contact_spans.hpp"
 #include "echo.hpp"
 #include "infinity.hpp"
@@ -58,9 +59,11 @@ NetworkClaim claimOf(const Network& network, const State& state, const Schedule&
     }
     Eigen::Index next = 0;
     for (const CellRow& row : network.rows) {
-        claim.displacements.push_back(claim.displacements.back() +
-                                      (state.b - state.a).segment(next, row.cells).sum());
-        next += row.cells;
+        CompensatedSum place(claim.displacements.back());
+        for (const Eigen::Index end = next + row.cells; next < end; ++next) {
+            place.add(state.b[next] - state.a[next]);
+        }
+        claim.displacements.push_back(place.value());
     }
     for (const ContactSpan& span : spansOf(schedule)) {
         if (span.steps > 0) {  // contact without end has no flight
