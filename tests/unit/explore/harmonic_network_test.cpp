@@ -219,7 +219,10 @@ std::optional<StabilityResult> triedOnStaircase(std::string_view words, std::int
         }
         for (const ForcedMotion& motion : motionsOfAmplitude(set, unit * amplitude)) {
             if (std::abs(motion.extremes.impulse / size - exact.impulse) < 0.03 * exact.impulse) {
-                return stabilityOf(fine, claimOf(schedule, motion));
+                StabilityOptions options;
+                options.periods = 100;
+                options.sizes = {1e-3};
+                return stabilityOf(fine, claimOf(schedule, motion), options);
             }
         }
     }
