@@ -56,8 +56,9 @@ public:
                 watch_.state(m, stateAt(m));
             }
             const Complex drive = drive_ * given_.turn(m);
-            force_ = given_.place == Excited::tip ? drive : 0.0;
-            base_ = given_.place == Excited::tip ? 0.0 : slope_ * drive;
+            const auto [force, base] = given_.drive(drive);
+            force_ = force;
+            base_ = base;
             for (Lane& lane : lanes_) {
                 if (watch_.arrivals) {
                     watch_.arrivals(lane.waves.arriving(), lane.from, lane.to);

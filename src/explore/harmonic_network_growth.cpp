@@ -15,14 +15,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double faded = 1e-12;      // of a front
 constexpr int watchedPeriods = 401;  // in which waves between fronts fade
-
-/// How a front goes on where it meets an event.
-struct Orders {
-    bool isLateAtRelease;  ///< do old fronts come after the newest?
-    bool isLateAtContact;  ///< or after the beginning of contact?
-};
 
 class NetworkFronts {
 public:
@@ -41,7 +34,7 @@ public:
         }
     }
 
-    [[nodiscard]] std::optional<double> growth(const Orders& orders) const
+    [[nodiscard]] std::optional<double> growth(const FrontOrders& orders) const
     {
         std::vector<double> weights{1.0};
         std::vector<double> front = front_;
@@ -81,15 +74,13 @@ private:
     /// What an open network sends beyond what a closed one does as contact begins.
     void startFront(Complex drive)
     {
+        std::vector<double> waves(motion_.early.size());
+        std::transform(motion_.early.begin(), motion_.early.end(), waves.begin(),
+                       [](Complex wave) { return wave.real(); });
+        const HarmonicNetwork::Drive now = given_.drive(drive);
         const auto sent = [&](const NetworkLaw<double>& law) {
-            const std::vector<Complex>& all = motion_.early;
-            std::vector<double> waves(all.size());
-            std::transform(all.begin(), all.end(), waves.begin(),
-                           [](Complex wave) { return wave.real(); });
-            NetworkWaves<double> moving(given_.network, std::move(waves));
-            const bool isTip = given_.place == Excited::tip;
-            moving.step(law, isTip ? drive.real() : 0.0,
-                        isTip ? 0.0 : (Complex(0.0, given_.omega()) * drive).real());
+            NetworkWaves<double> moving(given_.network, waves);
+            moving.step(law, now.force.real(), now.base.real());
             return moving.waves();
         };
         front_ = sent(open_);
@@ -104,11 +95,8 @@ private:
     {
         const NetworkLaw<Complex> closed(given_.network, ContactSet{1} << motion_.contact);
         NetworkWaves<Complex> waves(given_.network, motion_.late);
-        const bool isTip = given_.place == Excited::tip;
         for (std::int64_t m = 0;; ++m) {
-            const Complex now = drive * given_.turn(m);
-            const Complex force = isTip ? now : 0.0;
-            const Complex base = isTip ? 0.0 : Complex(0.0, given_.omega()) * now;
+            const auto [force, base] = given_.drive(drive * given_.turn(m));
             const Complex push = closed.push(motion_.contact).at(waves.arriving(), force, base);
             if (m == held_) {
                 pushAfter_ = push.real();
@@ -143,8 +131,8 @@ private:
 
     /// From just after the beginning of contact to the next. `isNewest` until this front, the
     /// newest of all, has been at the end of a contact.
-    [[nodiscard]] std::vector<double> aPeriodLater(std::vector<double> front, const Orders& orders,
-                                                   bool& isNewest) const
+    [[nodiscard]] std::vector<double> aPeriodLater(std::vector<double> front,
+                                                   const FrontOrders& orders, bool& isNewest) const
     {
         NetworkWaves<double> waves(given_.network, std::move(front));
         for (std::int64_t m = 1; m < given_.steps; ++m) {
@@ -214,20 +202,13 @@ private:
 std::optional<double> growthOf(const HarmonicNetwork& given, const NetworkHarmonicMotion& motion)
 {
     const NetworkFronts fronts(given, motion);
-    std::vector<std::optional<double>> growths;
-    for (const bool isLateAtContact : {false, true}) {
-        for (const bool isLateAtRelease : {false, true}) {
-            if (motion.isPinned || !isLateAtRelease) {
-                growths.push_back(fronts.growth({isLateAtRelease, isLateAtContact}));
-                if (!oneGrowth(growths)) {
-                    return std::nullopt;
-                }
-            }
-        }
+    const std::optional<double> growth = growthOfOrders(
+        motion.isPinned, [&](const FrontOrders& orders) { return fronts.growth(orders); });
+    if (!growth || *growth >= 1.0) {
+        return growth;
     }
-    const std::optional<double> growth = oneGrowth(growths);
     // Waves that nothing sends never grow.
-    return *growth >= 1.0 ? growth : std::optional(std::max(*growth, fronts.fading()));
+    return std::max(*growth, fronts.fading());
 }
 
 }  // namespace signorini

@@ -22,6 +22,14 @@ std::complex<double> HarmonicNetwork::turn(std::int64_t m) const
     return turnOf((cycles % steps) * (m % steps), steps);
 }
 
+HarmonicNetwork::Drive HarmonicNetwork::drive(std::complex<double> excitation) const
+{
+    if (place == Excited::tip) {
+        return {.force = excitation};
+    }
+    return {.base = std::complex<double>(0.0, omega()) * excitation};
+}
+
 void requireAsked(const HarmonicNetwork& given, std::int64_t mostSteps)
 {
     Faults faults;

@@ -36,6 +36,13 @@ struct HarmonicNetwork {
     [[nodiscard]] double omega() const;
     /// e^{i omega m}.
     [[nodiscard]] std::complex<double> turn(std::int64_t m) const;
+
+    struct Drive {
+        std::complex<double> force = 0.0;  ///< on the driven nodes
+        std::complex<double> base = 0.0;   ///< velocity of the shaken clamps
+    };
+    /// What a value of the excitation does.
+    [[nodiscard]] Drive drive(std::complex<double> excitation) const;
 };
 
 /// \throws std::invalid_argument unless n is in 2..mostSteps, K in 1..n/2 and something is driven.

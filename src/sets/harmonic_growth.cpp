@@ -12,14 +12,7 @@ namespace signorini {
 
 namespace {
 
-constexpr double faded = 1e-12;       // of a front
 constexpr double sameInstant = 1e-9;  // L/c
-
-/// How a front goes on.
-struct Orders {
-    bool isLateAtRelease;  ///< do old fronts come after the newest?
-    bool isLateAtContact;  ///< or after the beginning of contact?
-};
 
 class Fronts {
 public:
@@ -35,7 +28,7 @@ public:
         }
     }
 
-    [[nodiscard]] std::optional<double> growth(const Orders& orders)
+    [[nodiscard]] std::optional<double> growth(const FrontOrders& orders)
     {
         const std::size_t count = contacts_.size();
         setFactors(orders);
@@ -85,7 +78,7 @@ private:
     }
 
     /// mu of each pinned release, from the newest front alone.
-    void setFactors(const Orders& orders)
+    void setFactors(const FrontOrders& orders)
     {
         factors_.assign(contacts_.size(), 0.0);
         // A front may pin one release on its way to another.
@@ -110,7 +103,7 @@ private:
     }
 
     /// What becomes of the front of contact j on its i-th return.
-    [[nodiscard]] double factorAt(std::size_t j, std::int64_t i, const Orders& orders) const
+    [[nodiscard]] double factorAt(std::size_t j, std::int64_t i, const FrontOrders& orders) const
     {
         const double period = given_.period();
         double time = std::fmod(contacts_[j].begin + 2.0 * static_cast<double>(i), period);
@@ -133,7 +126,7 @@ private:
 
     /// pi_1, pi_2, ... until nothing is left.
     [[nodiscard]] std::optional<std::vector<double>> wayOf(std::size_t j,
-                                                           const Orders& orders) const
+                                                           const FrontOrders& orders) const
     {
         std::vector<double> way{1.0};
         while (std::abs(way.back()) > faded) {
@@ -184,16 +177,7 @@ private:
 std::optional<double> growthOf(const HarmonicCase& given, const HarmonicMotion& motion)
 {
     Fronts fronts(given, motion);
-    std::vector<std::optional<double>> growths;
-    for (const bool isLateAtRelease : {false, true}) {
-        for (const bool isLateAtContact : {false, true}) {
-            growths.push_back(fronts.growth({isLateAtRelease, isLateAtContact}));
-            if (!oneGrowth(growths)) {
-                return std::nullopt;
-            }
-        }
-    }
-    return oneGrowth(growths);
+    return growthOfOrders(true, [&](const FrontOrders& orders) { return fronts.growth(orders); });
 }
 
 }  // namespace signorini

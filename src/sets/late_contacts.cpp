@@ -106,18 +106,28 @@ std::optional<double> growthOfLate(const std::vector<double>& weights, std::size
     return pairOf(late, scale, count);
 }
 
-std::optional<double> oneGrowth(const std::vector<std::optional<double>>& ofOrders)
+std::optional<double> growthOfOrders(
+    bool arePinned, const std::function<std::optional<double>(const FrontOrders&)>& growth)
 {
     double least = infinity;
     double most = 0.0;
-    for (const std::optional<double>& growth : ofOrders) {
-        if (!growth) {
-            return std::nullopt;
+    for (const bool isLateAtRelease : {false, true}) {
+        for (const bool isLateAtContact : {false, true}) {
+            if (isLateAtRelease && !arePinned) {
+                continue;
+            }
+            const std::optional<double> one = growth({isLateAtRelease, isLateAtContact});
+            if (!one) {
+                return std::nullopt;
+            }
+            least = std::min(least, *one);
+            most = std::max(most, *one);
+            if (most - least > sameGrowth * most) {
+                return std::nullopt;
+            }
         }
-        least = std::min(least, *growth);
-        most = std::max(most, *growth);
     }
-    return most - least <= sameGrowth * most ? std::optional(most) : std::nullopt;
+    return most;
 }
 
 }  // namespace signorini

@@ -3,11 +3,20 @@
 /// How late beginnings of contact go on from period to period.
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
 namespace signorini {
 
+/// How a front goes on where it meets an event.
+struct FrontOrders {
+    bool isLateAtRelease;  ///< do old fronts come after the newest?
+    bool isLateAtContact;  ///< or after the beginning of contact?
+};
+
+/// What is left of a front where it is none any more.
+inline constexpr double faded = 1e-12;
 /// Growths of two orders of fronts that differ by less are one.
 inline constexpr double sameGrowth = 2e-3;
 /// Periods in which a front is there, at most.
@@ -24,7 +33,9 @@ inline constexpr std::size_t mostTerms = 2000;
 [[nodiscard]] std::optional<double> growthOfLate(const std::vector<double>& weights,
                                                  std::size_t terms, std::size_t count);
 
-/// The one growth of all orders, those that were found; none if one was not, or they differ.
-[[nodiscard]] std::optional<double> oneGrowth(const std::vector<std::optional<double>>& ofOrders);
+/// The largest growth of all orders, those of releases only where some are pinned; none if that of
+/// one is not known, or they differ.
+[[nodiscard]] std::optional<double> growthOfOrders(
+    bool arePinned, const std::function<std::optional<double>(const FrontOrders&)>& growth);
 
 }  // namespace signorini
