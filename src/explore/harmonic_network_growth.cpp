@@ -34,8 +34,9 @@ public:
         }
     }
 
-    [[nodiscard]] std::optional<double> growth(const FrontOrders& orders) const
+    [[nodiscard]] OrderedGrowth growth(const FrontOrders& orders) const
     {
+        bool isMet = false;
         std::vector<double> weights{1.0};
         std::vector<double> front = front_;
         bool isNewest = motion_.isPinned;
@@ -43,12 +44,12 @@ public:
         const double unit = distanceBy(front);
         while (sizeOf(front) > faded * whole) {
             if (weights.size() == mostTerms) {
-                return std::nullopt;
+                return {std::nullopt};
             }
-            front = aPeriodLater(std::move(front), orders, isNewest);
+            front = aPeriodLater(std::move(front), orders, isNewest, isMet);
             weights.push_back(distanceBy(front) / unit);
         }
-        return growthOfLate(weights, weights.size(), 1);
+        return {growthOfLate(weights, weights.size(), 1), isMet};
     }
 
     /// Of waves that meet no event.
@@ -130,9 +131,11 @@ private:
     }
 
     /// From just after the beginning of contact to the next. `isNewest` until this front, the
-    /// newest of all, has been at the end of a contact.
+    /// newest of all, has been at the end of a contact. `isMet` once it comes just as contact
+    /// begins.
     [[nodiscard]] std::vector<double> aPeriodLater(std::vector<double> front,
-                                                   const FrontOrders& orders, bool& isNewest) const
+                                                   const FrontOrders& orders, bool& isNewest,
+                                                   bool& isMet) const
     {
         NetworkWaves<double> waves(given_.network, std::move(front));
         for (std::int64_t m = 1; m < given_.steps; ++m) {
@@ -149,6 +152,7 @@ private:
                 waves.step(orders.isLateAtRelease ? open_ : closed_, 0.0, 0.0);
             }
         }
+        isMet = isMet || closed_.push(motion_.contact).at(waves.arriving(), 0.0, 0.0) != 0.0;
         waves.step(orders.isLateAtContact ? closed_ : open_, 0.0, 0.0);
         return waves.waves();
     }

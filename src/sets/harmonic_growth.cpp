@@ -177,7 +177,8 @@ private:
 std::optional<double> growthOf(const HarmonicCase& given, const HarmonicMotion& motion)
 {
     Fronts fronts(given, motion);
-    return growthOfOrders(true, [&](const FrontOrders& orders) { return fronts.growth(orders); });
+    return growthOfOrders(
+        true, [&](const FrontOrders& orders) { return OrderedGrowth{fronts.growth(orders)}; });
 }
 
 }  // namespace signorini

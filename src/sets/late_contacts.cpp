@@ -1,6 +1,7 @@
 #include "late_contacts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "infinity.hpp"
@@ -66,26 +67,49 @@ std::optional<double> pairOf(const std::vector<double>& late, const std::vector<
                                                                               : std::nullopt;
 }
 
+/// In four sums that do not wait for each other, the same on every machine.
+double sumOfProducts(const double* x, const double* y, std::size_t count)
+{
+    std::array<double, 4> sums = {};
+    std::size_t i = 0;
+    for (; i + 4 <= count; i += 4) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            sums[k] += x[i + k] * y[i + k];
+        }
+    }
+    for (; i < count; ++i) {
+        sums[0] += x[i] * y[i];
+    }
+    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
+
 }  // namespace
 
 std::optional<double> growthOfLate(const std::vector<double>& weights, std::size_t terms,
                                    std::size_t count)
 {
     const std::size_t all = 2 * static_cast<std::size_t>(grownPeriods);
-    std::vector<double> late(count * all, 0.0);
+    const std::size_t width = terms * count;
+    // By k, the oldest first, as in `late`: each sum is one of two lists in their order.
+    std::vector<double> rows(count * width);
+    for (std::size_t s = 0; s < terms; ++s) {
+        for (std::size_t k = 0; k < count; ++k) {
+            for (std::size_t j = 0; j < count; ++j) {
+                rows[k * width + (terms - 1 - s) * count + j] =
+                    weights[(s * count + k) * count + j];
+            }
+        }
+    }
+    // Before the first period nothing is late.
+    std::vector<double> late(width + count * (all - 1), 0.0);
     std::vector<double> scale(all, 0.0);  // log of what late is divided by
     for (std::size_t n = 0; n < all; ++n) {
-        double* now = &late[n * count];
+        double* first = &late[n * count];
+        double* now = first + width - count;
         for (std::size_t k = 0; k < count; ++k) {
-            double sum = n == 0 ? -1.0 / static_cast<double>(k + 1) : 0.0;
-            for (std::size_t s = 0; s < std::min(terms, n + 1); ++s) {
-                const double* row = &weights[(s * count + k) * count];
-                const double* then = &late[(n - s) * count];
-                for (std::size_t j = 0; j < (s == 0 ? k : count); ++j) {
-                    sum += row[j] * then[j];
-                }
-            }
-            now[k] = -sum;
+            const double begin = n == 0 ? -1.0 / static_cast<double>(k + 1) : 0.0;
+            // What is not known yet is 0.
+            now[k] = -begin - sumOfProducts(&rows[k * width], first, width);
         }
         scale[n] = n > 0 ? scale[n - 1] : 0.0;
         double most = 0.0;
@@ -96,36 +120,34 @@ std::optional<double> growthOfLate(const std::vector<double>& weights, std::size
             // Only what is still seen is kept on one scale.
             const double common = scale[n] + portable::log(most);
             for (std::size_t i = n - std::min(n, terms); i <= n; ++i) {
-                for (std::size_t k = 0; k < count; ++k) {
-                    late[i * count + k] /= most;
-                }
                 scale[i] = common;
             }
+            std::for_each(first - (n >= terms ? count : 0), now + count,
+                          [most](double& one) { one /= most; });
         }
     }
+    late.erase(late.begin(), late.begin() + static_cast<std::ptrdiff_t>(width - count));
     return pairOf(late, scale, count);
 }
 
-std::optional<double> growthOfOrders(
-    bool arePinned, const std::function<std::optional<double>(const FrontOrders&)>& growth)
+std::optional<double> growthOfOrders(bool arePinned,
+                                     const std::function<OrderedGrowth(const FrontOrders&)>& growth)
 {
     double least = infinity;
     double most = 0.0;
-    for (const bool isLateAtRelease : {false, true}) {
-        for (const bool isLateAtContact : {false, true}) {
-            if (isLateAtRelease && !arePinned) {
-                continue;
-            }
-            const std::optional<double> one = growth({isLateAtRelease, isLateAtContact});
-            if (!one) {
-                return std::nullopt;
-            }
-            least = std::min(least, *one);
-            most = std::max(most, *one);
-            if (most - least > sameGrowth * most) {
-                return std::nullopt;
-            }
+    for (int order = 0; order < (arePinned ? 4 : 2); ++order) {
+        const FrontOrders orders{order >= 2, order % 2 == 1};
+        const OrderedGrowth one = growth(orders);
+        if (!one.growth) {
+            return std::nullopt;
         }
+        least = std::min(least, *one.growth);
+        most = std::max(most, *one.growth);
+        if (most - least > sameGrowth * most) {
+            return std::nullopt;
+        }
+        // Else the next, which differs in that alone, has the same.
+        order += !orders.isLateAtContact && !one.dependsOnContact ? 1 : 0;
     }
     return most;
 }

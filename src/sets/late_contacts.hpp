@@ -15,6 +15,12 @@ struct FrontOrders {
     bool isLateAtContact;  ///< or after the beginning of contact?
 };
 
+/// What fronts that go on in such an order say.
+struct OrderedGrowth {
+    std::optional<double> growth;
+    bool dependsOnContact = true;  ///< did a front come just as contact begins?
+};
+
 /// What is left of a front where it is none any more.
 inline constexpr double faded = 1e-12;
 /// Growths of two orders of fronts that differ by less are one.
@@ -36,6 +42,6 @@ inline constexpr std::size_t mostTerms = 2000;
 /// The largest growth of all orders, those of releases only where some are pinned; none if that of
 /// one is not known, or they differ.
 [[nodiscard]] std::optional<double> growthOfOrders(
-    bool arePinned, const std::function<std::optional<double>(const FrontOrders&)>& growth);
+    bool arePinned, const std::function<OrderedGrowth(const FrontOrders&)>& growth);
 
 }  // namespace signorini
