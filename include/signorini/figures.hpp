@@ -74,9 +74,9 @@ enum class AnimationFormat { gif, mp4 };
 void drawFigures(std::span<const FigureData> frames, AnimationFormat format,
                  const std::string& path);
 
-/// A motion over one period: the bar at the wall, displacements magnified and coloured by strain
-/// (compression red), and u, s, v along it. At most so many frames. Panels "bar", "displacement"
-/// and "fields".
+/// A motion over one period: the bar at its stops, coloured by strain (compression red), gaps and
+/// displacements magnified by one factor, and u, s, v along it. At most so many frames. Panels
+/// "bar", "displacement" and "fields".
 [[nodiscard]] std::vector<FigureData> motionFrames(const MotionSamples& samples,
                                                    std::size_t most = 120);
 

@@ -28,8 +28,7 @@ class NetworkSimulation;
 [[nodiscard]] FigureData periodFigure(const Network& network, const NetworkClaim& motion,
                                       double length);
 
-/// The bars over one period, displacements and gaps magnified by one factor, coloured by strain
-/// (compression red), and u along them. At most so many frames. Panels "bar", "displacement".
+/// As motionFrames, of bars in a row.
 [[nodiscard]] std::vector<FigureData> barsFrames(const Assembly& assembly, const Network& network,
                                                  const ShownPeriod& motion, std::size_t most = 120);
 

@@ -86,8 +86,7 @@ def animate(moving: Moving, path: str | os.PathLike[str] | None = None, *,
 
     def draw(frame: int) -> list[Any]:
         panels = {panel["name"]: panel for panel in pictures[frame]["panels"]}
-        if "fields" in panels:
-            panels["displacement"]["x"] = panels["fields"]["x"]  # the lowest here
+        panels["displacement"]["x"] = panels["fields"]["x"]  # the lowest here
         for name, where in placed.items():
             where.clear()
             draw_panel(where, panels[name], False)

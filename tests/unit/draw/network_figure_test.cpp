@@ -1,6 +1,8 @@
+#include "bar_check.hpp"
 #include "catch.hpp"
 #include "network_find.hpp"
 #include "scene_figures.hpp"
+#include "signorini/motion.hpp"
 
 using namespace signorini;
 
@@ -60,4 +62,32 @@ TEST_CASE("scene figures: a motion that is found is drawn over its period, conta
     NetworkClaim other = *found.motion;
     other.schedule.back().steps += 1;  // not its period
     CHECK_THROWS_AS(periodFigure(network, other, 1.0), std::runtime_error);
+}
+
+TEST_CASE("scene figures: a bar moves alike in pictures by its waves and by a simulation")
+{
+    const PeriodicResult found = findPeriodic(15, 90, 30);
+    const Network network = networkOf(found.scene, 30);
+    const NetworkClaim claim = claimOf(network, found.motion->state, found.schedule, {});
+    const Motion motion(found.motion->state, found.schedule);
+    const auto waves = motionFrames(MotionSamples(motion, found.scene), 7);
+    const auto simulated = barsFrames({.parts = partsOf("clamp 30 stop=1e-3")}, network,
+                                      shownPeriod(network, claim), 7);
+    REQUIRE(waves.size() == 7);
+    REQUIRE(simulated.size() == 7);
+    for (std::size_t k = 0; k < waves.size(); ++k) {
+        CHECK(waves[k].title == simulated[k].title);
+        const plot::Series& u = waves[k].panels[1].series.back();
+        const plot::Series& other = simulated[k].panels[1].series.back();
+        REQUIRE(u.x.size() == 32);  // and the break behind them
+        REQUIRE(other.x.size() == 32);
+        for (std::size_t i = 0; i + 1 < u.x.size(); ++i) {
+            CHECK(other.x[i] == Approx(u.x[i]).margin(1e-9));
+            CHECK(other.y[i] == Approx(u.y[i]).margin(1e-9));
+        }
+    }
+    // The least energy is 4 E_1: |s| = 2 g/L in the part that presses, drawn from the clamp on.
+    const plot::Series& strain = waves.front().panels[2].series.front();
+    CHECK(waves.front().panels[2].y.label == "s,  v/c  [10^{-3}]");
+    CHECK(std::abs(strain.y.front()) == Approx(2.0));
 }
