@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <array>
 #include <vector>
 
 #include "axes.hpp"
@@ -13,8 +12,6 @@
 namespace signorini {
 
 namespace {
-
-using namespace plot;
 
 std::vector<double> values(const Eigen::VectorXd& vector)
 {
@@ -34,83 +31,62 @@ const char* unitOf(const Continuum& curve)
     return "λ";
 }
 
-class ContinuumPanels {
-public:
-    explicit ContinuumPanels(const Continuum& curve)
-        : curve_(curve),
-          scale_(scales(curve.scene.bar)),
-          images_(lambdasOf(curve.points), unitOf(curve))
-    {
+/// The paper's Fig. 3 of the members that are marked.
+FullMotions motionsOf(const Continuum& curve, const LambdaImages& images)
+{
+    const Bar& bar = curve.scene.bar;
+    const Scales scale = scales(bar);
+    const double reach =
+        bar.gap != 0.0 ? 1.0 : -extremesOf(curve.points.front().state, curve.schedule).lowestTip;
+    const Unit metre = unitFor(bar.length, "m");
+    const Unit deflection = axisUnit(scale.displacement, reach, "m");
+    const Unit second = axisUnit(scale.time, period(curve.schedule), "s");
+    FullMotions full{labelled("position  x", metre),
+                     bar.length * metre.factor,
+                     {},
+                     labelled("displacement  u(x, t)", deflection)};
+    for (const std::size_t k : images.full()) {
+        const Motion motion(curve.points[k].state, curve.schedule);
+        full.upwards =
+            axisIn(second, "time  t", 0.0,
+                   static_cast<double>(motion.steps()) / static_cast<double>(motion.cells()));
+        full.fields.push_back(
+            fieldOf(motion, full.length, second.factor, deflection.factor, 201, 401));
     }
-
-    [[nodiscard]] FigureData figure() const
-    {
-        const Bar& bar = curve_.scene.bar;
-        FigureData figure{.width = 18.0, .height = 18.0};
-        figure.title =
-            fmt::format("{}   ω/ω_1 = {:.5g}   {}   {}, {} motions", describe(curve_.schedule),
-                        frequencyRatio(curve_.schedule), energyLabel(bar, curve_.energyRatio),
-                        curve_.family, curve_.points.size());
-        Schedule folded = curve_.schedule;
-        fold(folded);
-        const auto cells = static_cast<double>(curve_.schedule.cells);
-        const Unit second = unitFor(period(folded) * scale_.time, "s");
-        const Unit metre = unitFor(bar.length, "m");
-        const double dx = bar.length * metre.factor / cells;
-        std::array<Profiles, 3> profiles;
-        for (const std::size_t k : images_.members()) {
-            const State& state = curve_.points[k].state;
-            profiles[0].push_back(wallForces(Motion(state, curve_.schedule)));
-            profiles[1].push_back(values(strain(state)));
-            profiles[2].push_back(values(velocity(state)));
-        }
-        const std::string time = labelled("time  t", second);
-        const std::string position = labelled("position  x", metre);
-        images_.add(
-            figure, 0, profiles[0], scale_.time * second.factor / cells,
-            {"force", time, curve_.scene.secondStop ? "force of the stops" : "force of the wall",
-             bar.axialStiffness * scale_.strain, "N"});
-        images_.add(figure, 1, profiles[1], dx,
-                    {"strain", position, "strain  s(x, 0)", scale_.strain, ""});
-        images_.add(figure, 2, profiles[2], dx,
-                    {"velocity", position, "velocity  v(x, 0)", scale_.velocity, "m/s"});
-        addMotions(figure);
-        return figure;
-    }
-
-private:
-    /// The paper's Fig. 3, for the members marked above.
-    void addMotions(FigureData& figure) const
-    {
-        const Bar& bar = curve_.scene.bar;
-        const double reach =
-            bar.gap != 0.0 ? 1.0
-                           : -extremesOf(curve_.points.front().state, curve_.schedule).lowestTip;
-        const Unit metre = unitFor(bar.length, "m");
-        const Unit deflection = axisUnit(scale_.displacement, reach, "m");
-        const Unit second = axisUnit(scale_.time, period(curve_.schedule), "s");
-        const double length = bar.length * metre.factor;
-        for (std::size_t k = 0; k < images_.full().size(); ++k) {
-            const Motion motion(curve_.points[images_.full()[k]].state, curve_.schedule);
-            Panel& panel = images_.addFull(
-                figure, k, labelled("position  x", metre), length,
-                axisIn(second, "time  t", 0.0,
-                       static_cast<double>(motion.steps()) / static_cast<double>(motion.cells())));
-            panel.add(fieldOf(motion, length, second.factor, deflection.factor, 201, 401));
-        }
-        images_.shareColours(figure, labelled("displacement  u(x, t)", deflection));
-    }
-
-    const Continuum& curve_;
-    Scales scale_;
-    LambdaImages images_;
-};
+    return full;
+}
 
 }  // namespace
 
 FigureData continuumFigure(const Continuum& curve)
 {
-    return ContinuumPanels(curve).figure();
+    const LambdaImages rows(lambdasOf(curve.points), unitOf(curve));
+    const Bar& bar = curve.scene.bar;
+    const Scales scale = scales(bar);
+    Schedule folded = curve.schedule;
+    fold(folded);
+    const auto cells = static_cast<double>(curve.schedule.cells);
+    const Unit second = unitFor(period(folded) * scale.time, "s");
+    const Unit metre = unitFor(bar.length, "m");
+    const double dx = bar.length * metre.factor / cells;
+    const std::string position = labelled("position  x", metre);
+    std::vector<LambdaImage> images{
+        {"force", labelled("time  t", second),
+         curve.scene.secondStop ? "force of the stops" : "force of the wall",
+         bar.axialStiffness * scale.strain, "N", scale.time * second.factor / cells},
+        {"strain", position, "strain  s(x, 0)", scale.strain, "", dx},
+        {"velocity", position, "velocity  v(x, 0)", scale.velocity, "m/s", dx}};
+    for (const std::size_t k : rows.members()) {
+        const State& state = curve.points[k].state;
+        images[0].profiles.push_back(wallForces(Motion(state, curve.schedule)));
+        images[1].profiles.push_back(values(strain(state)));
+        images[2].profiles.push_back(values(velocity(state)));
+    }
+    return rows.figure(
+        fmt::format("{}   ω/ω_1 = {:.5g}   {}   {}, {} motions", describe(curve.schedule),
+                    frequencyRatio(curve.schedule), energyLabel(bar, curve.energyRatio),
+                    curve.family, curve.points.size()),
+        std::move(images), motionsOf(curve, rows));
 }
 
 }  // namespace signorini

@@ -59,19 +59,30 @@ LambdaImages::LambdaImages(std::vector<double> lambdas, std::string label)
     }
 }
 
-void LambdaImages::add(FigureData& figure, int column, const Profiles& profiles, double width,
-                       const ImageWords& words) const
+FigureData LambdaImages::figure(std::string title, std::vector<LambdaImage> images,
+                                FullMotions motions) const
 {
-    const double left = lefts.at(static_cast<std::size_t>(column));
-    const std::size_t pieces = lengthOf(profiles);
+    FigureData figure{.width = 18.0, .height = 18.0, .title = std::move(title)};
+    for (const LambdaImage& image : images) {
+        add(figure, image);
+    }
+    add(figure, std::move(motions));
+    return figure;
+}
+
+void LambdaImages::add(FigureData& figure, const LambdaImage& of) const
+{
+    const std::size_t column = figure.panels.size();
+    const double left = lefts.at(column);
+    const std::size_t pieces = lengthOf(of.profiles);
     const std::size_t columns = std::min(pieces, mostColumns);
-    const double length = width * static_cast<double>(pieces);
+    const double length = of.width * static_cast<double>(pieces);
     Series image{.kind = Kind::image, .y = rows_};
     double largest = 0.0;
     for (std::size_t i = 0; i < columns; ++i) {
         image.x.push_back(length * (static_cast<double>(i) + 0.5) / static_cast<double>(columns));
     }
-    for (const std::vector<double>& profile : profiles) {
+    for (const std::vector<double>& profile : of.profiles) {
         for (std::size_t i = 0; i < columns; ++i) {  // the largest of what is too fine for print
             double shown = 0.0;
             for (std::size_t k = i * pieces / columns; k < (i + 1) * pieces / columns; ++k) {
@@ -81,14 +92,14 @@ void LambdaImages::add(FigureData& figure, int column, const Profiles& profiles,
             largest = std::max(largest, std::abs(shown));
         }
     }
-    const Unit unit = axisUnit(words.scale, largest, words.base);
+    const Unit unit = axisUnit(of.scale, largest, of.base);
     for (double& value : image.z) {
         value *= unit.factor;
     }
-    Panel& panel = figure.add({.name = words.name, .place = {left, left + 0.19, 0.54, 0.89}});
-    panel.title = labelled(words.title, unit);
+    Panel& panel = figure.add({.name = of.name, .place = {left, left + 0.19, 0.54, 0.89}});
+    panel.title = labelled(of.title, unit);
     panel.hasGrid = false;
-    panel.x = {.label = words.axis, .low = 0.0, .high = length, .step = niceStep(length / 3.0)};
+    panel.x = {.label = of.axis, .low = 0.0, .high = length, .step = niceStep(length / 3.0)};
     panel.y = {.low = low_, .high = high_, .hasNumbers = column == 0};
     if (column == 0) {
         panel.y.label = label_;
@@ -105,32 +116,26 @@ void LambdaImages::add(FigureData& figure, int column, const Profiles& profiles,
     }
 }
 
-Panel& LambdaImages::addFull(FigureData& figure, std::size_t which, const std::string& along,
-                             double length, Axis upwards) const
+void LambdaImages::add(FigureData& figure, FullMotions motions) const
 {
-    const double left = 0.1 + 0.265 * static_cast<double>(which);
-    Panel& panel =
-        figure.add({.name = memberNames.at(which), .place = {left, left + 0.24, 0.08, 0.42}});
-    panel.title = fmt::format("λ = {:.4g}", lambdas_[full_[which]]);
-    panel.hasGrid = false;
-    panel.x = {.label = along, .low = 0.0, .high = length, .step = niceStep(length / 3.0)};
-    panel.y = std::move(upwards);
-    return panel;
-}
-
-void LambdaImages::shareColours(FigureData& figure, const std::string& label) const
-{
-    const std::size_t first = figure.panels.size() - full_.size();
-    std::pair<double, double> range{0.0, 0.0};
-    for (std::size_t k = first; k < figure.panels.size(); ++k) {
-        Panel& panel = figure.panels[k];
-        const std::vector<double>& field = panel.series.front().z;
-        const auto [least, most] = std::minmax_element(field.begin(), field.end());
-        range = {std::min(range.first, *least), std::max(range.second, *most)};
-        panel.y = k > first ? bare(panel.y) : panel.y;
+    auto& [along, length, upwards, colours, fields, marks] = motions;
+    Axis colour{.label = colours, .low = 0.0, .high = 0.0};
+    for (const Series& field : fields) {
+        const auto [least, most] = std::minmax_element(field.z.begin(), field.z.end());
+        colour.low = std::min(*colour.low, *least);
+        colour.high = std::max(*colour.high, *most);
     }
-    for (std::size_t k = first; k < figure.panels.size(); ++k) {
-        figure.panels[k].colour = {.label = label, .low = range.first, .high = range.second};
+    for (std::size_t k = 0; k < fields.size(); ++k) {
+        const double left = 0.1 + 0.265 * static_cast<double>(k);
+        Panel& panel =
+            figure.add({.name = memberNames.at(k), .place = {left, left + 0.24, 0.08, 0.42}});
+        panel.title = fmt::format("λ = {:.4g}", lambdas_[full_[k]]);
+        panel.hasGrid = false;
+        panel.x = {.label = along, .low = 0.0, .high = length, .step = niceStep(length / 3.0)};
+        panel.y = k > 0 ? bare(upwards) : upwards;
+        panel.colour = colour;
+        panel.add(std::move(fields[k]));
+        panel.add(marks);
     }
     const double right = figure.panels.back().place.right;
     figure.panels.back().colourBar = Place{right + 0.02, right + 0.035, 0.08, 0.42};

@@ -12,13 +12,25 @@ namespace signorini {
 /// A number of each cell or step, for each motion that is shown.
 using Profiles = std::vector<std::vector<double>>;
 
-/// What is said of an image.
-struct ImageWords {
-    const char* name;   ///< of its panel
-    std::string axis;   ///< of its abscissa, with the unit
-    std::string title;  ///< without the unit
-    double scale;       ///< what 1 of the profiles is in SI
-    const char* base;   ///< unit, "N"
+/// An image of the upper half: λ upwards, a row for each motion.
+struct LambdaImage {
+    const char* name;        ///< of its panel
+    std::string axis;        ///< of its abscissa, with the unit
+    std::string title;       ///< without the unit
+    double scale;            ///< what 1 of the profiles is in SI
+    const char* base;        ///< unit, "N"
+    double width;            ///< of a piece, in units of the axis
+    Profiles profiles = {};  ///< zeros at the end of all are left out
+};
+
+/// Motions in full in the lower half, side by side: u upwards in time, to one scale of colours.
+struct FullMotions {
+    std::string along;  ///< words of the abscissa
+    double length;      ///< its end
+    plot::Axis upwards;
+    std::string colours;
+    std::vector<plot::Series> fields = {};
+    plot::Series marks = plot::strokes(plot::Role::ink, 0.8);  ///< on each of them
 };
 
 class LambdaImages {
@@ -32,19 +44,14 @@ public:
     /// Which are to be drawn in full: first, middle, last. Each image marks them.
     [[nodiscard]] const std::vector<std::size_t>& full() const { return full_; }
 
-    /// A third of the upper half: the `column`th. Pieces are so wide, in units of the axis; zeros
-    /// at the end of all are left out.
-    void add(plot::FigureData& figure, int column, const Profiles& profiles, double width,
-             const ImageWords& words) const;
-    /// A third of the lower half, for a motion that is drawn in full, over so long an axis `along`.
-    /// The panel's field is the caller's; all of these are to share one scale of colours.
-    [[nodiscard]] plot::Panel& addFull(plot::FigureData& figure, std::size_t which,
-                                       const std::string& along, double length,
-                                       plot::Axis upwards) const;
-    /// One scale of colours for all of them, beside the last.
-    void shareColours(plot::FigureData& figure, const std::string& label) const;
+    /// Three images, and the motions in full.
+    [[nodiscard]] plot::FigureData figure(std::string title, std::vector<LambdaImage> images,
+                                          FullMotions motions) const;
 
 private:
+    void add(plot::FigureData& figure, const LambdaImage& image) const;
+    void add(plot::FigureData& figure, FullMotions motions) const;
+
     std::vector<double> lambdas_;
     std::string label_;
     double low_ = 0.0;

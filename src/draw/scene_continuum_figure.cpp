@@ -9,7 +9,6 @@
 #include "curve_points.hpp"
 #include "lambda_images.hpp"
 #include "largest.hpp"
-#include "mapped.hpp"
 #include "network_field.hpp"
 #include "scene_figures.hpp"
 
@@ -98,41 +97,39 @@ public:
 
     [[nodiscard]] FigureData figure()
     {
-        const LambdaImages images(lambdasOf(curve_.points), unitOf(answer_));
-        for (const std::size_t k : images.full()) {
+        const LambdaImages rows(lambdasOf(curve_.points), unitOf(answer_));
+        for (const std::size_t k : rows.full()) {
             seen_.emplace(k, seenIn(network_, curve_.points[k].motion, places_, true));
         }
-        FigureData figure{.width = 18.0, .height = 18.0, .title = title()};
         const std::size_t contacts = std::min<std::size_t>(network_.contacts.size(), 2);
-        std::array<Profiles, 3> profiles;
-        for (const std::size_t k : images.members()) {
-            const SeenMotion& seen = member(k);
-            for (std::size_t j = 0; j < contacts; ++j) {
-                profiles.at(j).push_back(withoutRounding(seen.pushes[j]));
-            }
-            if (contacts < 2) {
-                profiles[1].push_back(seen.start.velocities);
-            }
-            profiles[2].push_back(seen.start.displacements);
-        }
         const std::string time = labelled("time  t", second_);
         const std::string along = labelled("along the bars", metre_);
-        const double step = second_.factor * period() / static_cast<double>(profiles[0][0].size());
+        const double step = second_.factor * period() /
+                            static_cast<double>(member(rows.members().front()).pushes[0].size());
         const double part = length_ * metre_.factor / static_cast<double>(parts);
         const NetworkScales& scale = network_.scales;
+        std::vector<LambdaImage> images;
         for (std::size_t j = 0; j < contacts; ++j) {
-            images.add(figure, static_cast<int>(j), profiles.at(j), step,
-                       {j == 0 ? "force" : "second force", time,
-                        fmt::format("force of contact {}", j + 1), scale.force(), "N"});
+            images.push_back({j == 0 ? "force" : "second force", time,
+                              fmt::format("force of contact {}", j + 1), scale.force(), "N", step});
         }
         if (contacts < 2) {
-            images.add(figure, 1, profiles[1], part,
-                       {"velocity", along, "velocity  v(x, 0)", scale.velocity(), "m/s"});
+            images.push_back(
+                {"velocity", along, "velocity  v(x, 0)", scale.velocity(), "m/s", part});
         }
-        images.add(figure, 2, profiles[2], part,
-                   {"displacement", along, "displacement  u(x, 0)", scale.displacement, "m"});
-        addFields(figure, images);
-        return figure;
+        images.push_back(
+            {"displacement", along, "displacement  u(x, 0)", scale.displacement, "m", part});
+        for (const std::size_t k : rows.members()) {
+            const SeenMotion& seen = member(k);
+            for (std::size_t j = 0; j < contacts; ++j) {
+                images[j].profiles.push_back(withoutRounding(seen.pushes[j]));
+            }
+            if (contacts < 2) {
+                images[1].profiles.push_back(seen.start.velocities);
+            }
+            images[2].profiles.push_back(seen.start.displacements);
+        }
+        return rows.figure(title(), std::move(images), motions(rows));
     }
 
     /// Forces over a period and u along the bars at t = 0, a frame for each member.
@@ -182,18 +179,18 @@ private:
                          .first->second;
     }
 
-    void addFields(FigureData& figure, const LambdaImages& images)
+    [[nodiscard]] FullMotions motions(const LambdaImages& rows)
     {
-        const double reach = largestOf(images.full(), [this](std::size_t k) {
+        const double reach = largestOf(rows.full(), [this](std::size_t k) {
             return largestSizeOf(member(k).all.displacements);
         });
         const Unit deflection = axisUnit(network_.scales.displacement, reach, "m");
-        for (std::size_t k = 0; k < images.full().size(); ++k) {
-            const SeenMotion& seen = member(images.full()[k]);
-            Panel& panel =
-                images.addFull(figure, k, labelled("along the bars", metre_),
-                               length_ * metre_.factor, axisIn(second_, "time  t", 0.0, period()));
-            Series field{.kind = Kind::image};
+        FullMotions full{labelled("along the bars", metre_), length_ * metre_.factor,
+                         axisIn(second_, "time  t", 0.0, period()),
+                         labelled("displacement  u(x, t)", deflection)};
+        for (const std::size_t k : rows.full()) {
+            const SeenMotion& seen = member(k);
+            Series& field = full.fields.emplace_back(Series{.kind = Kind::image});
             for (const double x : positions_) {
                 field.x.push_back(x * metre_.factor);
             }
@@ -203,22 +200,13 @@ private:
             for (const double u : seen.all.displacements) {
                 field.z.push_back(u * deflection.factor);
             }
-            panel.add(std::move(field));
-            Series contacts = plot::strokes(Role::ink, 0.8);
-            for (const double x : placesOfContacts()) {
-                contacts.add(x, *panel.y.low, x, *panel.y.high);
-            }
-            panel.add(std::move(contacts));
         }
-        images.shareColours(figure, labelled("displacement  u(x, t)", deflection));
-    }
-
-    [[nodiscard]] std::vector<double> placesOfContacts() const
-    {
         const std::vector<double> nodes = placesOf(network_, length_);
-        return mapped(network_.contacts, [&](const NetworkContact& contact) {
-            return nodes[contact.node] * metre_.factor;
-        });
+        for (const NetworkContact& contact : network_.contacts) {
+            const double x = nodes[contact.node] * metre_.factor;
+            full.marks.add(x, *full.upwards.low, x, *full.upwards.high);
+        }
+        return full;
     }
 
     [[nodiscard]] FigureData frameOf(std::size_t k, double force, double reach)
