@@ -8,6 +8,7 @@
 
 #include "axes.hpp"
 #include "excited_amplitude.hpp"
+#include "two_panels.hpp"
 
 namespace signorini {
 
@@ -34,54 +35,23 @@ std::size_t kindOf(const ExactStability& stability)
 /// Force above, impulse below, over the same frequencies.
 class ExactPanels {
 public:
-    ExactPanels(const std::vector<ExactFrequency>& frequencies,
-                const std::vector<ExactBranch>& branches, const ResponseRange& range,
-                const Bar& bar)
-        : branches_(branches), range_(range), bar_(bar)
+    ExactPanels(const std::vector<ExactBranch>& branches, const Bar& bar)
+        : branches_(branches),
+          hertz_(0.25 / scales(bar).time),
+          force_(bar.axialStiffness * scales(bar).strain),
+          impulse_(force_ * scales(bar).time)
     {
-        low_ = frequencies.back().frequencyRatio;
-        high_ = frequencies.front().frequencyRatio;
-        if (!(low_ < high_)) {  // a single one in the middle
-            low_ *= 0.98;
-            high_ *= 1.02;
-        }
-        for (const ExactFrequency& at : frequencies) {
-            for (const ExactMotion& one : at.motions) {
-                look(one.motion);
-            }
-        }
-        for (const ExactBranch& branch : branches) {
-            for (const BranchPoint& point : branch.curve.points) {
-                look(point.motion);
-            }
-        }
-        const Scales unit = scales(bar);
-        const double force = bar.axialStiffness * unit.strain;
-        forceUnit_ = axisUnit(force, force_ * 1.15, "N");
-        impulseUnit_ = axisUnit(force * unit.time, impulse_ * 1.15, "N s");
-        hertz_ = 0.25 / unit.time;
     }
 
-    FigureData figure(const std::vector<ExactFrequency>& frequencies,
+    FigureData figure(const std::vector<ExactFrequency>& frequencies, const std::string& title,
                       const std::vector<FrequencyResponse>& staircase)
     {
-        FigureData figure;
-        figure.title =
-            fmt::format("{} of amplitude {},  ζ = {:.4g},  exact harmonic",
-                        range_.place == Excited::tip ? "force on the tip" : "base moving",
-                        withUnit(range_.amplitude * amplitudeUnit(range_.place, bar_, 0),
-                                 amplitudeUnitName(range_.place, 0)),
-                        range_.damping.ratio);
-        figure.height = 15.0;
-        upper_ = {.name = "force", .place = {0.12, 0.95, 0.58, 0.85}};
-        upper_.x = bare(axisIn({hertz_, "Hz"}, "", low_, high_, "ω/ω_1"));
-        upper_.y = axisIn(forceUnit_, "largest force", 0.0, 1.15 * force_);
-        lower_ = {.name = "impulse", .place = {0.12, 0.95, 0.27, 0.54}, .legend = Legend::below};
-        lower_.legendRows = 4;
-        lower_.x = {.label = "frequency of the excitation  [Hz]",
-                    .low = low_ * hertz_,
-                    .high = high_ * hertz_};
-        lower_.y = axisIn(impulseUnit_, "impulse per period", 0.0, 1.15 * impulse_);
+        double low = frequencies.back().frequencyRatio;
+        double high = frequencies.front().frequencyRatio;
+        if (!(low < high)) {  // a single one in the middle
+            low *= 0.98;
+            high *= 1.02;
+        }
         addStaircase(staircase);
         for (const bool areSeveral : {false, true}) {
             for (std::size_t kind = 0; kind < partSorts.size(); ++kind) {
@@ -91,35 +61,24 @@ public:
         addLone(frequencies);
         addMarks(true);
         addMarks(false);
-        figure.panels = {std::move(upper_), std::move(lower_)};
+        FigureData figure =
+            std::move(panels_).figure(title, hertzAxis(low * hertz_, high * hertz_, hertz_));
+        figure.height = 15.0;
         return figure;
     }
 
 private:
-    void look(const HarmonicMotion& motion)
+    void add(SeriesPair& pair, double ratio, const auto& motion) const
     {
-        force_ = std::max(force_, motion.extremes.peakForce);
-        impulse_ = std::max(impulse_, motion.extremes.impulse);
-    }
-
-    void add(Series& above, Series& below, double ratio, const HarmonicMotion& motion) const
-    {
-        above.add(ratio * hertz_, motion.extremes.peakForce * forceUnit_.factor);
-        below.add(ratio * hertz_, motion.extremes.impulse * impulseUnit_.factor);
-    }
-
-    void push(Series above, const Series& below, std::string words)
-    {
-        upper_.add(std::move(above));
-        lower_.add(below.named(std::move(words)));
+        pair.add(ratio * hertz_, motion.extremes.peakForce * force_,
+                 motion.extremes.impulse * impulse_);
     }
 
     /// A line goes on to the next point, whatever that does, unless curves have a gap there.
     void addCurves(std::size_t kind, bool areSeveral)
     {
         const auto [words, dash, width] = partSorts[kind];
-        Series above = line(areSeveral ? Role::strain : Role::contact, width, dash);
-        Series below = above;
+        SeriesPair curve(line(areSeveral ? Role::strain : Role::contact, width, dash));
         for (const ExactBranch& branch : branches_) {
             const auto& points = branch.curve.points;
             bool goesOn = false;
@@ -127,55 +86,50 @@ private:
                 const bool isIn = k < points.size() && kindOf(branch.stability[k]) == kind &&
                                   (points[k].motion.contacts.size() > 1) == areSeveral;
                 if (k < points.size() && (isIn || goesOn)) {
-                    add(above, below, points[k].frequencyRatio, points[k].motion);
+                    add(curve, points[k].frequencyRatio, points[k].motion);
                 }
                 if (goesOn && !isIn) {
-                    above.breakOff();
-                    below.breakOff();
+                    curve.breakOff();
                 }
                 goesOn = isIn;
             }
         }
-        push(std::move(above), below,
-             fmt::format("{}: {}", areSeveral ? "several contacts" : "one contact", words));
+        panels_.add(std::move(curve),
+                    fmt::format("{}: {}", areSeveral ? "several contacts" : "one contact", words));
     }
 
     /// What a force in steps has, to compare.
     void addStaircase(const std::vector<FrequencyResponse>& staircase)
     {
-        Series above = dots(Role::faint, 0.6);
-        Series below = above;
+        SeriesPair steady(dots(Role::faint, 0.6));
         std::int64_t steps = 0;
         for (const FrequencyResponse& at : staircase) {
             for (const ForcedMotion& one : at.motions) {
                 steps = one.schedule.cells;
-                above.add(at.frequencyRatio * hertz_, one.extremes.peakForce * forceUnit_.factor);
-                below.add(at.frequencyRatio * hertz_, one.extremes.impulse * impulseUnit_.factor);
+                add(steady, at.frequencyRatio, one);
             }
         }
-        push(std::move(above), below, fmt::format("staircase, {} steps in L/c", steps));
+        panels_.add(std::move(steady), fmt::format("staircase, {} steps in L/c", steps));
     }
 
     /// Attractors of many contacts have curves too short to be seen.
     void addLone(const std::vector<ExactFrequency>& frequencies)
     {
-        Series above = dots(Role::strain, 0.5);
-        Series below = above;
+        SeriesPair lone(dots(Role::strain, 0.5));
         for (const ExactFrequency& at : frequencies) {
             for (const ExactMotion& one : at.motions) {
                 if (one.motion.contacts.size() > 1) {
-                    add(above, below, at.frequencyRatio, one.motion);
+                    add(lone, at.frequencyRatio, one.motion);
                 }
             }
         }
-        push(std::move(above), below, "several contacts: from rest");
+        panels_.add(std::move(lone), "several contacts: from rest");
     }
 
     /// Folds, or where a contact comes or goes.
     void addMarks(bool areFolds)
     {
-        Series above = dots(Role::ink, 0.9, areFolds ? Marker::diamond : Marker::ring);
-        Series below = above;
+        SeriesPair marks(dots(Role::ink, 0.9, areFolds ? Marker::diamond : Marker::ring));
         for (const ExactBranch& branch : branches_) {
             for (const BranchMark& mark : branch.curve.marks) {
                 const bool isChange = mark.event == BranchEvent::grazing ||
@@ -183,25 +137,24 @@ private:
                                       mark.event == BranchEvent::lostContact;
                 if ((areFolds ? mark.event == BranchEvent::fold : isChange) &&
                     branch.curve.points.size() >= 4) {
-                    add(above, below, mark.frequencyRatio, branch.curve.points[mark.after].motion);
+                    add(marks, mark.frequencyRatio, branch.curve.points[mark.after].motion);
                 }
             }
         }
-        push(std::move(above), below, areFolds ? "fold" : "a contact more or less");
+        panels_.add(std::move(marks), areFolds ? "fold" : "a contact more or less");
     }
 
     const std::vector<ExactBranch>& branches_;
-    const ResponseRange& range_;
-    const Bar& bar_;
-    double low_ = 0.0;
-    double high_ = 0.0;
-    double hertz_ = 1.0;
-    double force_ = 1e-12;
-    double impulse_ = 1e-12;
-    Unit forceUnit_;
-    Unit impulseUnit_;
-    Panel upper_;
-    Panel lower_;
+    double hertz_;    ///< [Hz], ω_1
+    double force_;    ///< [N], EA g/L
+    double impulse_;  ///< [N s], EA g/c
+    TwoPanels panels_{.upper = {.name = "force", .place = {0.12, 0.95, 0.58, 0.85}},
+                      .lower = {.name = "impulse",
+                                .place = {0.12, 0.95, 0.27, 0.54},
+                                .legend = Legend::below,
+                                .legendRows = 4},
+                      .above = {.words = "largest force", .base = "N", .scale = force_},
+                      .below = {.words = "impulse per period", .base = "N s", .scale = impulse_}};
 };
 
 /// The tip between its stops.
@@ -228,7 +181,13 @@ FigureData exactFigure(const std::vector<ExactFrequency>& frequencies,
     if (frequencies.empty()) {
         throw std::invalid_argument("figure: the response holds no frequency to draw");
     }
-    return ExactPanels(frequencies, branches, range, bar).figure(frequencies, staircase);
+    const std::string title =
+        fmt::format("{} of amplitude {},  ζ = {:.4g},  exact harmonic",
+                    range.place == Excited::tip ? "force on the tip" : "base moving",
+                    withUnit(range.amplitude * amplitudeUnit(range.place, bar, 0),
+                             amplitudeUnitName(range.place, 0)),
+                    range.damping.ratio);
+    return ExactPanels(branches, bar).figure(frequencies, title, staircase);
 }
 
 FigureData harmonicFigure(const HarmonicField& motion, const Scene& scene)

@@ -7,6 +7,7 @@
 #include "excited_amplitude.hpp"
 #include "signorini/figures.hpp"
 #include "stepped_bar.hpp"
+#include "two_panels.hpp"
 
 namespace signorini {
 
@@ -75,67 +76,55 @@ std::string titleOf(const ResponseRange& range, const Bar& bar)
                        isUniform(range.segments) ? "" : ",  segments " + segmentsOf(range));
 }
 
-/// Both panels: impulse and swing of what is drawn, over the same frequencies.
+/// Impulse and swing of what is drawn, over the same frequencies.
 class ResponsePanels {
 public:
     ResponsePanels(std::span<const FrequencyResponse> frequencies, const ResponseRange& range,
                    const Bar& bar)
         : frequencies_(frequencies), range_(range), bar_(bar)
     {
-        double pushed = 0.0;
-        swing_ = range.stops.right != 0 ? 2.0 : 0.0;
+        const bool hasUnit = range.stops.right != 0;
+        const std::string gap = range.stops.right < 0 ? "|g|" : hasUnit ? "g" : "L";
+        const double impulse = bar.axialStiffness * scales(bar).strain * scales(bar).time;
+        panels_ = {.upper = {.name = "impulse",
+                             .place = {0.12, 0.88, 0.53, 0.83},
+                             .legend = Legend::topLeft},
+                   .lower = {.name = "tip", .place = {0.12, 0.88, 0.12, 0.48}},
+                   .above = {"impulse per period", "N s", impulse, "EA " + gap + "/c"},
+                   .below = {"swing  −min u(L)", "m", scales(bar).displacement, gap, 1.08}};
+        double swing = hasUnit ? 2.0 : 0.0;
         if (range.stops.left) {
-            swing_ = std::max(swing_, range.stops.left->value());
+            swing = std::max(swing, range.stops.left->value());
         }
         for (const FrequencyResponse& response : frequencies) {
-            swing_ = std::max(swing_, range.stops.right != 0 ? 0.0 : response.linearPeak);
-            for (const ForcedMotion& motion : response.motions) {
-                pushed = std::max(pushed, motion.extremes.impulse);
+            swing = std::max(swing, hasUnit ? 0.0 : response.linearPeak);
+            if (!response.motions.empty()) {
                 first_ = std::min(first_, response.frequencyRatio);
                 last_ = std::max(last_, response.frequencyRatio);
-                swing_ = std::max(swing_, -motion.extremes.lowestTip);
             }
         }
-        impulse_ = pushed > 0.0 ? 1.15 * pushed : 1.0;
-        swing_ *= 1.08;
-        const Scales unit = scales(bar);
-        impulseUnit_ = axisUnit(bar.axialStiffness * unit.strain * unit.time, impulse_, "N s");
-        swingUnit_ = axisUnit(unit.displacement, swing_, "m");
+        panels_.below.largest = swing * panels_.below.scale;
     }
 
     FigureData figure()
     {
         const auto [least, most] =
             std::minmax(frequencies_.front().frequencyRatio, frequencies_.back().frequencyRatio);
-        low_ = least - (most > least ? 0.01 * (most - least) : 0.05);
-        high_ = most + (most > least ? 0.01 * (most - least) : 0.05);
-        const std::string gap = range_.stops.right < 0 ? "|g|" : range_.stops.right > 0 ? "g" : "L";
-        upper_ = {.name = "impulse", .place = {0.12, 0.88, 0.53, 0.83}, .legend = Legend::topLeft};
-        upper_.x = bare(frequencyAxis("", low_, high_, bar_));
-        upper_.y = axisIn(impulseUnit_, "impulse per period", 0.0, impulse_, "EA " + gap + "/c");
-        lower_ = {.name = "tip", .place = {0.12, 0.88, 0.12, 0.48}};
-        lower_.x = {.label = "frequency of the excitation  ω/ω_1", .low = low_, .high = high_};
-        lower_.y = axisIn(swingUnit_, "swing  −min u(L)", 0.0, swing_, gap);
+        const double margin = most > least ? 0.01 * (most - least) : 0.05;
         addModes();
         addLinear();
         addMotions();
-        addSecondStop();
-        FigureData figure{.title = titleOf(range_, bar_)};
-        figure.panels = {std::move(upper_), std::move(lower_)};
-        return figure;
+        addSecondStop(least - margin, most + margin);
+        return std::move(panels_).figure(
+            titleOf(range_, bar_),
+            frequencyAxis("frequency of the excitation", least - margin, most + margin, bar_));
     }
 
 private:
-    void add(Series& series, double frequency, double impulse, double swing, Series& below) const
+    void add(SeriesPair& pair, double frequency, const Extremes& extremes) const
     {
-        series.add(frequency, impulse * impulseUnit_.factor);
-        below.add(frequency, swing * swingUnit_.factor);
-    }
-
-    void push(Series series, Series below)
-    {
-        upper_.add(std::move(series));
-        lower_.add(std::move(below));
+        pair.add(frequency, extremes.impulse * panels_.above.scale,
+                 -extremes.lowestTip * panels_.below.scale);
     }
 
     /// The backbones of a uniform bar, as far as there are motions.
@@ -144,79 +133,65 @@ private:
         if (!isUniform(range_.segments) || !(last_ > 0.0)) {
             return;
         }
-        Series modes = plot::line(Role::shade6, 5.0);
-        Series below = modes;
-        modes.legend = "modes: free, undamped";
+        SeriesPair modes(plot::line(Role::shade6, 5.0));
         for (const Backbone& backbone : backbonesOf(first_, last_, range_.cycles, range_.stops)) {
             for (const BackbonePoint& point : backbone.points) {
-                const bool isIn =
-                    -point.extremes.lowestTip <= swing_ && point.extremes.impulse <= impulse_;
-                add(modes, point.frequencyRatio, isIn ? point.extremes.impulse : nothing,
-                    isIn ? -point.extremes.lowestTip : nothing, below);
+                add(modes, point.frequencyRatio, point.extremes);
             }
-            add(modes, nothing, nothing, nothing, below);
+            modes.breakOff();
         }
-        push(std::move(modes), std::move(below));
+        panels_.add(std::move(modes), "modes: free, undamped", false);
     }
 
     /// The bar without a wall: where it stays clear, and where the wall is in its way.
     void addLinear()
     {
-        Series clear = plot::line(Role::ink, 2.0).named("no contact");
-        Series blocked = plot::line(Role::faint, 1.5, Dash::dashed).named("no stop in its way");
+        SeriesPair clear(plot::line(Role::ink, 2.0));
+        SeriesPair blocked(plot::line(Role::faint, 1.5, Dash::dashed));
         for (std::size_t k = 0; k < frequencies_.size(); ++k) {
             const FrequencyResponse& response = frequencies_[k];
             const bool isNear = k > 0 && frequencies_[k - 1].touches != response.touches;
-            const double peak = response.linearPeak * swingUnit_.factor;
-            for (Series* series : {&clear, &blocked}) {
-                const bool isShown = response.touches == (series == &blocked) || isNear;
-                series->add(response.frequencyRatio, isShown ? peak : nothing);
+            const double peak = response.linearPeak * panels_.below.scale;
+            for (SeriesPair* pair : {&clear, &blocked}) {
+                const bool isShown = response.touches == (pair == &blocked) || isNear;
+                pair->below.add(response.frequencyRatio, isShown ? peak : nothing);
             }
         }
-        for (Series& series : {std::ref(clear), std::ref(blocked)}) {
-            Series named = series;  // the legend stands above
-            named.x.clear();
-            named.y.clear();
-            upper_.series.push_back(std::move(named));
-            series.legend.clear();
-            lower_.series.push_back(std::move(series));
-        }
+        panels_.add(std::move(clear), "no contact", false);
+        panels_.add(std::move(blocked), "no stop in its way", false);
     }
 
     void addMotions()
     {
         for (const Sort& sort : sorts) {
             for (const Touched& touched : touches) {
-                Series marks =
+                SeriesPair marks(
                     dots(sort.stability == Stability::unclear ? Role::faint : touched.role,
-                         sort.size, sort.marker);
-                Series below = marks;
-                marks.legend = std::string(touched.words) + sort.words;
+                         sort.size, sort.marker));
                 for (const FrequencyResponse& response : frequencies_) {
                     for (const ForcedMotion& motion : response.motions) {
                         const std::vector<Phase>& phases = motion.schedule.phases;
                         if (motion.stability == sort.stability && phases.size() == touched.phases &&
                             phases.front().stop == touched.first &&
                             phases.back().stop == touched.last) {
-                            add(marks, response.frequencyRatio, motion.extremes.impulse,
-                                -motion.extremes.lowestTip, below);
+                            add(marks, response.frequencyRatio, motion.extremes);
                         }
                     }
                 }
-                push(std::move(marks), std::move(below));
+                panels_.add(std::move(marks), std::string(touched.words) + sort.words);
             }
         }
     }
 
-    void addSecondStop()
+    void addSecondStop(double low, double high)
     {
         if (const auto& second = range_.stops.left) {
-            const double stop = second->value() * swingUnit_.factor;
-            lower_.add(across(low_, high_, stop, 1.0, Dash::dotted));
-            lower_.series.push_back({.kind = Kind::words,
-                                     .x = {low_},
-                                     .y = {stop + 0.05 * swing_ * swingUnit_.factor},
-                                     .words = {"  second stop"}});
+            const double stop = second->value() * panels_.below.scale;
+            panels_.lower.add(across(low, high, stop, 1.0, Dash::dotted));
+            Series words = plot::labels();
+            words.add(low, stop + 0.05 * panels_.below.room * panels_.below.largest,
+                      "  second stop");
+            panels_.lower.add(std::move(words));
         }
     }
 
@@ -225,14 +200,7 @@ private:
     const Bar& bar_;
     double first_ = std::numeric_limits<double>::infinity();  ///< frequency with contact
     double last_ = 0.0;                                       ///< the same
-    double low_ = 0.0;
-    double high_ = 0.0;
-    double impulse_ = 0.0;
-    double swing_ = 0.0;
-    Unit impulseUnit_;
-    Unit swingUnit_;
-    Panel upper_;
-    Panel lower_;
+    TwoPanels panels_;
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "excited_amplitude.hpp"
 #include "largest.hpp"
 #include "signorini/figures.hpp"
+#include "two_panels.hpp"
 
 namespace signorini {
 
@@ -68,14 +69,6 @@ std::string titleOf(const SweepRange& range, const Bar& bar)
     return text + fmt::format(",  N = {}", range.cells);
 }
 
-Unit impulseUnitOf(std::span<const SweepPoint> points, const Bar& bar)
-{
-    const double pushed =
-        largestOf(points, [](const SweepPoint& point) { return point.impulse[1]; });
-    const Scales unit = scales(bar);
-    return axisUnit(bar.axialStiffness * unit.strain * unit.time, pushed, "N s");
-}
-
 Series styleOf(SweepDirection direction)
 {
     const bool isUp = direction == SweepDirection::up;
@@ -86,33 +79,27 @@ Series styleOf(SweepDirection direction)
             .legend = isUp ? "upward" : "downward"};
 }
 
-/// One quantity of a point: its mean, and from where to where it goes.
-using Seen = std::array<double, 3> (*)(const SweepPoint& point);
-
-/// A line with dots for the mean, strokes where the bar does not repeat itself.
-void addSeen(Panel& panel, std::span<const SweepPoint> points, SweepDirection direction,
-             double place, double factor, Seen seen)
+/// A line with dots for the mean, strokes where the bar does not repeat itself; `x`: what 1 of the
+/// range is there, in SI the units of impulse and swing.
+void addSeen(TwoPanels& panels, std::span<const SweepPoint> points, SweepDirection direction,
+             double x, double impulse, double displacement)
 {
-    Series line = styleOf(direction);
-    Series dots = line;
-    dots.kind = Kind::dots;
-    line.legend.clear();
-    Series strokes = line;
-    strokes.kind = Kind::strokes;
+    SeriesPair lines(styleOf(direction));
+    SeriesPair dots(styleOf(direction).as(Kind::dots));
+    SeriesPair strokes(styleOf(direction).as(Kind::strokes));
     for (const SweepPoint& point : points) {
         if (point.direction == direction) {
-            const auto [mean, least, most] = seen(point);
-            const double x = point.value * place;
-            line.add(x, mean * factor);
-            dots.add(x, mean * factor);
+            const double at = point.value * x;
+            lines.add(at, point.meanImpulse * impulse, -point.tip[0] * displacement);
+            dots.add(at, point.meanImpulse * impulse, -point.tip[0] * displacement);
             if (!point.settling.settled) {
-                strokes.add(x, least * factor, x, most * factor);
+                strokes.above.add(at, point.impulse[0] * impulse, at, point.impulse[1] * impulse);
             }
         }
     }
-    panel.add(std::move(strokes));
-    panel.add(std::move(line));
-    panel.add(std::move(dots));
+    panels.add(std::move(strokes));
+    panels.add(std::move(lines));
+    panels.add(std::move(dots), styleOf(direction).legend);
 }
 
 void requirePoints(std::span<const SweepPoint> points)
@@ -128,41 +115,26 @@ FigureData sweepFigure(std::span<const SweepPoint> points, const SweepRange& ran
                        std::span<const FrequencyResponse> exact)
 {
     requirePoints(points);
-    const Unit impulse = impulseUnitOf(points, bar);
-    const double reach =
-        largestSizeOf(points, [](const SweepPoint& point) { return point.tip[0]; });
-    const Unit swing = axisUnit(scales(bar).displacement, reach, "m");
-    const double place = unitOfSwept(range, bar).factor;
-    FigureData figure{.title = titleOf(range, bar)};
-    Panel upper{
-        .name = "impulse", .place = {0.12, 0.97, 0.52, 0.83}, .x = bare(axisOfSwept(range, bar))};
-    upper.legend = Legend::topLeft;
-    Panel lower{.name = "tip", .place = {0.12, 0.97, 0.12, 0.47}, .x = axisOfSwept(range, bar)};
-    lower.x.other.reset();
-    Series under = plot::dots(Role::faint, 0.5).named("exact motions with one contact");
-    Series underSwing = under;
-    underSwing.legend.clear();
+    const Scales unit = scales(bar);
+    const double impulse = bar.axialStiffness * unit.strain * unit.time;
+    const double x = unitOfSwept(range, bar).factor;
+    TwoPanels panels{
+        .upper = {.name = "impulse", .place = {0.12, 0.97, 0.52, 0.83}, .legend = Legend::topLeft},
+        .lower = {.name = "tip", .place = {0.12, 0.97, 0.12, 0.47}},
+        .above = {"impulse per period", "N s", impulse, "", 1.07},
+        .below = {"swing  −min u(L)", "m", unit.displacement, "", 1.07}};
+    SeriesPair under(plot::dots(Role::faint, 0.5));
     for (const FrequencyResponse& response : exact) {
         for (const ForcedMotion& motion : response.motions) {
-            const double x = response.frequencyRatio * place;
-            under.add(x, motion.extremes.impulse * impulse.factor);
-            underSwing.add(x, -motion.extremes.lowestTip * swing.factor);
+            under.add(response.frequencyRatio * x, motion.extremes.impulse * impulse,
+                      -motion.extremes.lowestTip * unit.displacement);
         }
     }
-    upper.add(std::move(under));
-    lower.add(std::move(underSwing));
+    panels.add(std::move(under), "exact motions with one contact");
     for (const SweepDirection direction : {SweepDirection::up, SweepDirection::down}) {
-        addSeen(upper, points, direction, place, impulse.factor, [](const SweepPoint& point) {
-            return std::array{point.meanImpulse, point.impulse[0], point.impulse[1]};
-        });
-        addSeen(lower, points, direction, place, swing.factor, [](const SweepPoint& point) {
-            return std::array{-point.tip[0], -point.tip[0], -point.tip[0]};
-        });
+        addSeen(panels, points, direction, x, impulse, unit.displacement);
     }
-    upper.y = axisAround(upper.series, labelled("impulse per period", impulse), true);
-    lower.y = axisAround(lower.series, labelled("swing  −min u(L)", swing), true);
-    figure.panels = {std::move(upper), std::move(lower)};
-    return figure;
+    return std::move(panels).figure(titleOf(range, bar), axisOfSwept(range, bar));
 }
 
 FigureData bifurcationFigure(std::span<const SweepPoint> points, const SweepRange& range,
@@ -170,7 +142,10 @@ FigureData bifurcationFigure(std::span<const SweepPoint> points, const SweepRang
 {
     requirePoints(points);
     constexpr std::size_t most = 400;  // dots at one value
-    const Unit impulse = impulseUnitOf(points, bar);
+    const Scales unit = scales(bar);
+    const double pushed =
+        largestOf(points, [](const SweepPoint& point) { return point.impulse[1]; });
+    const Unit impulse = axisUnit(bar.axialStiffness * unit.strain * unit.time, pushed, "N s");
     const double place = unitOfSwept(range, bar).factor;
     FigureData figure{.height = 9.0, .title = titleOf(range, bar)};
     Panel& panel = figure.add({.name = "impulse", .place = {0.12, 0.97, 0.15, 0.78}});
