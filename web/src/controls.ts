@@ -377,7 +377,7 @@ export class Controls {
     const phase = motion.show === 'simulation' && motion.start.kind === 'beside' ? Number((this.answer.excitation as Json | null)?.phase ?? 0) : 0;
     byId('command').textContent = [commandOf(motion, nearest, phase), ...(isResponse ? [responseCommand(this.explorer.view.forcing)] : []),
       ...(swept === undefined ? [] : [sweepCommand(this.explorer.view.forcing, swept)])].join('\n');
-    byId('python').textContent = pythonOf(motion, nearest);
+    byId('python').textContent = pythonOf(motion, nearest, phase);
     const offer = (label: string, act: () => Promise<Blob>, file: string): HTMLButtonElement => {
       const button = Object.assign(document.createElement('button'), { textContent: label });
       button.dataset.file = file;

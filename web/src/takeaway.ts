@@ -1,65 +1,68 @@
 // What the reader takes along: the command and the Python line of the same motion, files, pictures.
 
-import type { Motion, Phase, Phases, SceneMotion } from './core';
+import type { ForcedMotion, Motion, Phase, Phases, SceneMotion, ScheduleMotion, Simulation } from './core';
 import type { Forcing } from './view';
 
-const steps = (m: { phases: Phases }): string => m.phases.map(([contact, free, stop]) => `${stop ? 'L:' : ''}${contact} ${free}`).join(' ');
-const argumentsOf = (m: { phases: Phases }): string => {
-  const isPlain = m.phases.every((phase) => !phase[2]);
-  const one = ([contact, free, stop]: Phase): string => (isPlain ? `${contact}, ${free}` : `(${contact}, ${free}${stop ? ', "left"' : ''})`);
-  return m.phases.map(one).join(', ');
-};
+type Value = string | number | number[] | undefined;
 
-const given = (before: string, value: number | undefined): string => (value === undefined ? '' : `${before}${value}`);
+/** A question with the options that the command line and Python share; "note" is of the hands of a scene. */
+interface Call { name: 'find' | 'continuum' | 'simulate'; phases?: Phases; options: Record<string, Value>; note?: string }
+
+const givenOf = (options: Record<string, Value>): [string, Value][] => Object.entries(options).filter(([, value]) => value !== undefined);
+
+const asCommand = ({ name, phases = [], options }: Call): string =>
+  [`signorini ${name}`, ...phases.map(([contact, free, stop]) => `${stop ? 'L:' : ''}${contact} ${free}`),
+    ...givenOf(options).map(([option, value]) => `--${option.replace('_', '-')} ${option === 'scene' ? `"${value}"` : value}`)].join(' ');
+
+function asPython({ name, phases = [], options }: Call, ...before: string[]): string {
+  const isPlain = phases.every((phase) => !phase[2]);
+  const one = ([contact, free, stop]: Phase): string => (isPlain ? `${contact}, ${free}` : `(${contact}, ${free}${stop ? ', "left"' : ''})`);
+  const written = (value: Value): string => (typeof value === 'string' ? `"${value}"` : Array.isArray(value) ? `[${value}]` : String(value));
+  return `signorini.${name}(${[...before, ...phases.map(one), ...givenOf(options).map(([option, value]) => `${option}=${written(value)}`)].join(', ')})`;
+}
+
+const cellsOf = ({ cells }: { cells: number }): number | undefined => (cells === 300 ? undefined : cells);
 
 /** Types of two contacts are listed up to this order. */
 export const polygonOrder = 9;
 
-/** Speeds of the bars [m/s], where the hands do anything, and what they cannot say there. */
-function thrown(m: SceneMotion): { speeds: string; note: string } {
-  if (m.hands.every((hand) => hand === 0)) return { speeds: '', note: '' };
-  return { speeds: m.hands.map((hand) => Number((hand * 1e-3).toPrecision(6))).join(','),
-    note: '  # where all bars fly; one that is held starts at rest there, here it is pulled' };
+/** Speeds of the bars [m/s] where the hands do anything; of one that is held they say something else there. */
+function sceneCall({ words, hands, gravity, amplitude, frequency, from, span }: SceneMotion): Call {
+  const isThrown = hands.some((hand) => hand !== 0);
+  return { name: 'simulate',
+    options: { scene: words.trim(), velocity: isThrown ? hands.map((hand) => Number((hand * 1e-3).toPrecision(6))) : undefined, gravity,
+      force: amplitude === undefined ? undefined : /\bdriven\b/.test(words) ? 'tip' : 'base', amplitude, frequency, time: from + span },
+    ...(isThrown ? { note: '  # where all bars fly; one that is held starts at rest there, here it is pulled' } : {}) };
 }
 
-function sceneCommand(m: SceneMotion): string {
-  const drive = m.amplitude === undefined ? '' : ` --amplitude ${m.amplitude} --frequency ${m.frequency}`;
-  const { speeds, note } = thrown(m);
-  return `signorini simulate --scene "${m.words.trim()}"${speeds && ` --velocity ${speeds}`}${given(' --gravity ', m.gravity)}${drive} --time ${m.from + m.span} --format json${note}`;
-}
-
-function scenePython(m: SceneMotion): string {
-  const place = /\bdriven\b/.test(m.words) ? 'tip' : 'base';
-  const drive = m.amplitude === undefined ? '' : `, force="${place}", amplitude=${m.amplitude}, frequency=${m.frequency}`;
-  const { speeds, note } = thrown(m);
-  return `import signorini\nbars = signorini.simulate(scene="${m.words.trim()}"${speeds && `, velocity=[${speeds}]`}${given(', gravity=', m.gravity)}${drive}, time=${m.from + m.span})${note}`;
+/** What the command line and Python are asked for the same motion. */
+function callOf(motion: ScheduleMotion | ForcedMotion | Simulation | SceneMotion, phase: number): Call {
+  if (motion.show === 'scene') return sceneCall(motion);
+  const cells = cellsOf(motion);
+  if (motion.show === 'schedule') {
+    const { phases, gap, second_stop, energy: energy_ratio, pause } = motion;
+    return { name: pause === undefined ? 'find' : 'continuum', phases, options: { cells, gap, second_stop, energy_ratio } };
+  }
+  const { damping, place: force, amplitude } = motion;
+  if (motion.show === 'forced') return { name: 'find', phases: motion.phases, options: { cells, damping, force, amplitude } };
+  const { steps, periods, crossings: time } = motion;
+  return { name: 'simulate', options: { cells, damping, ...(steps === undefined ? { time } : { force, amplitude, frequency: (4 * motion.cells) / steps, phase: phase || undefined, periods }) } };
 }
 
 /** The command that gives the same motion, as the command line writes its JSON. */
 export function commandOf(motion: Motion, nearest?: Phases, phase = 0): string {
-  if (motion.show === 'scene') return sceneCommand(motion);
-  const cells = motion.cells === 300 ? '' : ` --cells ${motion.cells}`;
-  if (motion.show === 'schedule') {
-    if (motion.pause !== undefined) {
-      return `signorini continuum ${steps(motion)}${cells} --energy-ratio ${motion.energy} --member ${motion.pause} --state state.csv --format json`;
-    }
-    const scene = given(' --gap ', motion.gap) + given(' --second-stop ', motion.second_stop) + given(' --energy-ratio ', motion.energy);
-    return `signorini find ${steps(motion)}${cells}${scene} --state state.csv --motion motion.csv --format json`;
-  }
   if (motion.show === 'mode') {
-    return `signorini mode ${motion.contact} ${motion.turns} --period ${motion.period}${cells} --motion motion.csv --format json`;
+    return `signorini mode ${motion.contact} ${motion.turns} --period ${motion.period}${motion.cells === 300 ? '' : ` --cells ${motion.cells}`} --motion motion.csv --format json`;
   }
   if (motion.show === 'polygon') {
     return `signorini modes --phases 2 --max-order ${polygonOrder} --csv polygons.csv --format json` +
-      (nearest ? `\nsignorini find ${steps({ phases: nearest })}${cells}  # the nearest motion on ${motion.cells} cells` : '');
+      (nearest ? `\n${asCommand({ name: 'find', phases: nearest, options: { cells: cellsOf(motion) } })}  # the nearest motion on ${motion.cells} cells` : '');
   }
-  if (motion.show === 'forced') {
-    return `signorini find ${steps(motion)}${cells} --damping ${motion.damping} --force ${motion.place} --amplitude ${motion.amplitude} --state state.csv --format json`;
-  }
-  const start = motion.start.kind === 'rest' ? '--rest' : '--from start.csv';
-  const span = motion.steps === undefined ? `--time ${motion.crossings}`
-    : `--force ${motion.place} --amplitude ${motion.amplitude} --frequency ${(4 * motion.cells) / motion.steps}${phase ? ` --phase ${phase}` : ''} --periods ${motion.periods}`;
-  return `signorini simulate ${start}${cells} --damping ${motion.damping} ${span} --tip tip.csv --events events.csv --format json`;
+  const call = callOf(motion, phase);
+  const more = motion.show === 'scene' ? '' : motion.show === 'forced' ? ' --state state.csv'
+    : motion.show === 'simulation' ? ` ${motion.start.kind === 'rest' ? '--rest' : '--from start.csv'} --tip tip.csv --events events.csv`
+      : motion.pause === undefined ? ' --state state.csv --motion motion.csv' : ` --member ${motion.pause} --state state.csv`;
+  return `${asCommand(call)}${more} --format json${call.note ?? ''}`;
 }
 
 export const sweepCommand = (f: Forcing, isDown: boolean): string =>
@@ -69,30 +72,17 @@ export function responseCommand(f: Forcing): string {
   return `signorini response --damping ${f.damping} --force ${f.place} --amplitude ${f.amplitude} --from ${f.least} --to ${f.most} --cells ${f.cells} --stability --csv response.csv --format json`;
 }
 
-export function pythonOf(motion: Motion, nearest?: Phases): string {
-  if (motion.show === 'scene') return scenePython(motion);
-  const cells = motion.cells === 300 ? '' : `, cells=${motion.cells}`;
+export function pythonOf(motion: Motion, nearest?: Phases, phase = 0): string {
   const head = 'import signorini\n';
-  if (motion.show === 'schedule') {
-    if (motion.pause !== undefined) {
-      return `${head}member = signorini.continuum(${argumentsOf(motion)}, energy_ratio=${motion.energy}${cells}).member(${motion.pause})`;
-    }
-    const scene = given(', gap=', motion.gap) + given(', second_stop=', motion.second_stop) + given(', energy_ratio=', motion.energy);
-    return `${head}result = signorini.find(${argumentsOf(motion)}${scene}${cells})`;
-  }
-  if (motion.show === 'mode') {
-    return `${head}motion = signorini.mode(${motion.contact}, ${motion.turns}, ${motion.period})`;
-  }
+  if (motion.show === 'mode') return `${head}motion = signorini.mode(${motion.contact}, ${motion.turns}, ${motion.period})`;
   if (motion.show === 'polygon') {
-    return nearest ? `${head}result = signorini.find(${argumentsOf({ phases: nearest })}${cells})` : `# no motion of these contacts has a period of whole steps on ${motion.cells} cells near this one`;
+    return nearest ? `${head}result = ${asPython({ name: 'find', phases: nearest, options: { cells: cellsOf(motion) } })}`
+      : `# no motion of these contacts has a period of whole steps on ${motion.cells} cells near this one`;
   }
-  if (motion.show === 'forced') {
-    return `${head}result = signorini.find(${argumentsOf(motion)}${cells}, damping=${motion.damping}, force="${motion.place}", amplitude=${motion.amplitude})`;
-  }
-  const start = motion.start.kind === 'rest' ? '' : '"start.csv", ';
-  const span = motion.steps === undefined ? `time=${motion.crossings}`
-    : `force="${motion.place}", amplitude=${motion.amplitude}, frequency=${(4 * motion.cells) / motion.steps}, periods=${motion.periods}`;
-  return `${head}bar = signorini.simulate(${start}damping=${motion.damping}, ${span}${cells})`;
+  const call = callOf(motion, phase);
+  if (motion.show === 'scene') return `${head}bars = ${asPython(call)}${call.note ?? ''}`;
+  if (motion.show === 'simulation') return `${head}bar = ${asPython(call, ...(motion.start.kind === 'rest' ? [] : ['"start.csv"']))}`;
+  return motion.show === 'schedule' && motion.pause !== undefined ? `${head}member = ${asPython(call)}.member(${motion.pause})` : `${head}result = ${asPython(call)}`;
 }
 
 export interface FileOffer { label: string; name: string; file: string }

@@ -114,6 +114,8 @@ test('take away: the Python line of a member of a continuum names the member', (
   expect(pythonOf({ show: 'scene', words: '40:2 gap=1e-3 160', hands: [1, 0], gravity: 1, from: 0, span: 6 })).toContain('160", velocity=[0.001,0], gravity=1, time=6)');
   expect(pythonOf({ show: 'schedule', cells: 300, phases: [[150, 900]], energy: 20, pause: 0.25 }))
     .toContain('signorini.continuum(150, 900, energy_ratio=20).member(0.25)');
+  expect(pythonOf({ show: 'simulation', cells: 60, start: { kind: 'beside', share: 0.99 }, damping: 0.1, steps: 200, periods: 30, place: 'tip', amplitude: 1e-4, from: 0, span: 16, frames: 60 }, undefined, 0.5))
+    .toContain('signorini.simulate("start.csv", cells=60, damping=0.1, force="tip", amplitude=0.0001, frequency=1.2, phase=0.5, periods=30)');
 });
 
 test('links: when and how one looks is no other view', () => {
