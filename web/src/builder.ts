@@ -1,6 +1,6 @@
 // Scenes of several bars, built of parts: what each may be dragged to, and the words of it.
 
-import { byId, input, round, shown } from './dom';
+import { byId, input, round, select, shown, slide } from './dom';
 import type { SceneMotion } from './core';
 import type { Explorer } from './explorer';
 import { withUnit } from './units';
@@ -34,7 +34,7 @@ export class Builder {
   private dragged = -1;
 
   constructor(private readonly explorer: Explorer) {
-    const list = byId<HTMLSelectElement>('scene-model');
+    const list = select('scene-model');
     list.append(new Option('a scene of your own', ''), ...models.map(({ name }, k) => new Option(name, String(k))));
     list.onchange = () => { if (list.value !== '') void explorer.show({ show: 'scene', from: 0, ...models[Number(list.value)].motion }); };
     byId('palette').append(...palette.map((word) => {
@@ -50,10 +50,10 @@ export class Builder {
       event.preventDefault();
       this.build(input('words').value.trim().split(/\s+/));
     };
-    this.slide('weight', (gravity) => ({ gravity: gravity === 0 ? undefined : gravity }));
-    this.slide('scene-amplitude', (amplitude) => (amplitude === 0 ? { amplitude: undefined, frequency: undefined }
+    slide('weight', (gravity) => this.change({ gravity: gravity === 0 ? undefined : gravity }));
+    slide('scene-amplitude', (amplitude) => this.change(amplitude === 0 ? { amplitude: undefined, frequency: undefined }
       : { amplitude: round(amplitude / 1e4), frequency: this.motion.frequency ?? 0.9 }));
-    this.slide('scene-frequency', (frequency) => (this.motion.amplitude === undefined ? {} : { frequency }));
+    slide('scene-frequency', (frequency) => this.change(this.motion.amplitude === undefined ? {} : { frequency }));
     this.listenToBars();
   }
 
@@ -64,9 +64,6 @@ export class Builder {
   }
   private get words(): string[] { return this.motion.words.trim().split(/\s+/); }
 
-  private slide(id: string, change: (value: number) => Change): void {
-    input(id).addEventListener('input', () => this.change(change(Number(input(id).value))));
-  }
   private change(part: Change): void {
     const motion = { ...this.motion, ...part } as SceneMotion;
     for (const key of ['gravity', 'amplitude', 'frequency'] as const) if (motion[key] === undefined) delete motion[key];
@@ -124,7 +121,7 @@ export class Builder {
 
   follow(motion: SceneMotion): void {
     const of = models.findIndex((one) => one.motion.words === motion.words);
-    byId<HTMLSelectElement>('scene-model').value = of < 0 ? '' : String(of);
+    select('scene-model').value = of < 0 ? '' : String(of);
     if (document.activeElement !== input('words')) input('words').value = motion.words;
     this.followParts(motion.words);
     this.followHands(motion);

@@ -1,7 +1,7 @@
 // Controls of the motions with two contacts: which polygon, and where in it.
 
 import type { PolygonMotion } from './core';
-import { byId, input, round, shown } from './dom';
+import { byId, input, round, select, shown, slide } from './dom';
 import type { Explorer } from './explorer';
 import type { Polygon } from './polygons';
 import { withUnit } from './units';
@@ -14,8 +14,8 @@ const contactOf = ({ contact: [sum, turns] }: Polygon): string => `${sum} − ${
 
 export class PolygonControls {
   constructor(private readonly explorer: Explorer) {
-    byId<HTMLSelectElement>('polygon').onchange = () => {
-      const polygon = explorer.map.polygons!.all[Number(byId<HTMLSelectElement>('polygon').value)];
+    select('polygon').onchange = () => {
+      const polygon = explorer.map.polygons!.all[Number(select('polygon').value)];
       void explorer.pick({ kind: 'polygon', polygon, period: round(0.5 * (polygon.lowest + polygon.highest)), split: 0.5 });
     };
     this.slide('polygon-period', (share, motion) => {
@@ -31,12 +31,12 @@ export class PolygonControls {
   }
 
   private slide(id: string, moved: (value: number, motion: PolygonMotion) => PolygonMotion): void {
-    input(id).addEventListener('input', () => void this.explorer.show(moved(Number(input(id).value), this.explorer.view.motion as PolygonMotion)));
+    slide(id, (value) => void this.explorer.show(moved(value, this.explorer.view.motion as PolygonMotion)));
   }
 
   follow(motion: PolygonMotion): void {
     const { polygons } = this.explorer.map;
-    const list = byId<HTMLSelectElement>('polygon');
+    const list = select('polygon');
     if (polygons && list.options.length === 0) {
       list.append(...polygons.all.map((one, k) => new Option(
         `contacts ${contactOf(one)}, T from ${shown(one.lowest, 4)} to ${shown(one.highest, 4)} (${one.free > 0 ? 'shared freely' : 'single motions'})`, String(k))));

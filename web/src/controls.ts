@@ -4,11 +4,11 @@ import { Builder, firstScene } from './builder';
 import { commandOf, filesOf, polygonOrder, pythonOf, responseCommand, save, sweepCommand } from './takeaway';
 import type { ForcedMotion, Motion, Phases, ScheduleMotion, Simulation, Start } from './core';
 import { firstPolygon, PolygonControls } from './contacts';
-import { byId, input, round, shown } from './dom';
+import { byId, input, round, select, shown, slide } from './dom';
 import type { Explorer } from './explorer';
 import { pictures } from './pictures';
 import { SceneControls } from './scene';
-import { paperCase, type MapKind } from './view';
+import { paperCase, type Forcing, type MapKind } from './view';
 import { isShown, listenToTabs } from './side';
 import { unitOf, withUnit } from './units';
 
@@ -45,10 +45,6 @@ export class Controls {
   private get motion(): Motion { return this.explorer.view.motion; }
   private get answer(): Json { return (this.explorer.answer?.json.answer ?? {}) as Json; }
 
-  private slide(id: string, act: (value: number) => void): void {
-    input(id).addEventListener('input', () => act(Number(input(id).value)));
-  }
-
   private listen(): void {
     const { explorer } = this;
     for (const radio of document.querySelectorAll<HTMLInputElement>('input[name="map"]')) {
@@ -66,16 +62,16 @@ export class Controls {
     this.listenMode();
     this.listenForcing();
     this.listenPluck();
-    this.slide('time', (share) => {
+    slide('time', (share) => {
       explorer.setPlaying(false);
       explorer.setTime(share);
     });
-    this.slide('pace', (power) => {
+    slide('pace', (power) => {
       explorer.view.pace = round(10 ** power, 3);
       this.labels();
       explorer.keepLink();
     });
-    this.slide('magnified', (power) => {
+    slide('magnified', (power) => {
       explorer.view.magnified = Math.round(10 ** power);
       explorer.bar.magnified = explorer.view.magnified;
       explorer.bar.paint();
@@ -100,21 +96,21 @@ export class Controls {
   }
 
   private listenSchedule(): void {
-    byId<HTMLSelectElement>('family').onchange = () => {
-      const [order, nu, blocks] = byId<HTMLSelectElement>('family').value.split(',').map(Number);
+    select('family').onchange = () => {
+      const [order, nu, blocks] = select('family').value.split(',').map(Number);
       const family = this.explorer.map.atlas?.families.find((f) => f.order === order && f.nu === nu && f.blocks === blocks);
       if (family) void this.explorer.pick({ kind: 'family', family, energy: family.least });
     };
-    this.slide('energy', (share) => {
+    slide('energy', (share) => {
       const [least, most] = this.energies()!;
       const { pause: _, energy: __, ...motion } = this.motion as ScheduleMotion;
       void this.explorer.show(share === 0 && motion.gap !== 0 ? motion : { ...motion, energy: Math.min(round(least * (most / least) ** share, 5), most) });
     });
-    this.slide('pause', (share) => {
+    slide('pause', (share) => {
       const [first, last] = this.explorer.answer!.json.pauses as [number, number];
       void this.explorer.show({ ...(this.motion as ScheduleMotion), pause: Math.min(Math.max(round(first + share * (last - first)), first), last) });
     });
-    this.slide('contact', (contact) => {
+    slide('contact', (contact) => {
       const { pause: _, ...motion } = this.motion as ScheduleMotion;
       const steps = motion.phases[0][0] + motion.phases[0][1];
       void this.explorer.show({ ...motion, phases: [[contact, steps - contact]] });
@@ -130,19 +126,19 @@ export class Controls {
 
   private listenMode(): void {
     const toMode = (period: number): void => {
-      const [contact, turns] = byId<HTMLSelectElement>('mode').value.split(',').map(Number);
+      const [contact, turns] = select('mode').value.split(',').map(Number);
       void this.explorer.show({ show: 'mode', contact, turns, period, cells: 200 });
     };
     const ends = (): [number, number] => {
-      const value = byId<HTMLSelectElement>('mode').value;
+      const value = select('mode').value;
       const mode = this.explorer.map.atlas?.modes.find((m) => m.contact.join(',') === value);
       return mode ? [mode.lowest, mode.highest] : [3, 4];
     };
-    byId<HTMLSelectElement>('mode').onchange = () => {
+    select('mode').onchange = () => {
       const [low, high] = ends();
       toMode(round(low + 0.6 * (high - low), 8));
     };
-    this.slide('period', (share) => {
+    slide('period', (share) => {
       const [low, high] = ends();
       toMode(round(low + (0.002 + 0.996 * share) * (high - low), 8));
     });
@@ -156,7 +152,8 @@ export class Controls {
 
   private listenForcing(): void {
     const { explorer } = this;
-    const changed = (): void => {
+    const changed = (forcing: Partial<Forcing>): void => {
+      Object.assign(explorer.view.forcing, forcing);
       explorer.sweeps.clear();
       this.labels();
       if (this.motion.show === 'forced') {
@@ -166,22 +163,10 @@ export class Controls {
       void explorer.loadResponse();
       explorer.keepLink();
     };
-    this.slide('damping', (value) => {
-      explorer.view.forcing.damping = value;
-      changed();
-    });
-    this.slide('amplitude', (value) => {
-      explorer.view.forcing.amplitude = round(value / 1000);
-      changed();
-    });
-    byId<HTMLSelectElement>('force-place').onchange = () => {
-      explorer.view.forcing.place = byId<HTMLSelectElement>('force-place').value === 'base' ? 'base' : 'tip';
-      changed();
-    };
-    byId<HTMLSelectElement>('force-cells').onchange = () => {
-      explorer.view.forcing.cells = Number(byId<HTMLSelectElement>('force-cells').value);
-      changed();
-    };
+    slide('damping', (damping) => changed({ damping }));
+    slide('amplitude', (amplitude) => changed({ amplitude: round(amplitude / 1000) }));
+    select('force-place').onchange = () => changed({ place: select('force-place').value === 'base' ? 'base' : 'tip' });
+    select('force-cells').onchange = () => changed({ cells: Number(select('force-cells').value) });
     byId('settle').onclick = () => void explorer.show(this.shaken({ kind: 'rest' }));
   }
 
@@ -207,8 +192,8 @@ export class Controls {
       explorer.bar.pluck = this.start;
       explorer.bar.paint();
     };
-    for (const id of ['pluck-place', 'pluck-displacement']) this.slide(id, read);
-    this.slide('dashpot', () => this.labels());
+    for (const id of ['pluck-place', 'pluck-displacement']) slide(id, read);
+    slide('dashpot', () => this.labels());
     byId('release').onclick = () => void explorer.show(this.plucked());
     byId('look-end').onclick = () => {
       const motion = this.motion as Simulation;
@@ -296,8 +281,8 @@ export class Controls {
     input('magnified').value = String(Math.log10(view.magnified));
     input('damping').value = String(view.forcing.damping);
     input('amplitude').value = String(view.forcing.amplitude * 1000);
-    byId<HTMLSelectElement>('force-place').value = view.forcing.place;
-    byId<HTMLSelectElement>('force-cells').value = String(view.forcing.cells);
+    select('force-place').value = view.forcing.place;
+    select('force-cells').value = String(view.forcing.cells);
     if (map.atlas) this.fillLists();
     if (motion.show === 'schedule') this.followSchedule(motion);
     if (motion.show === 'mode') this.followMode(motion.contact, motion.turns, motion.period);
@@ -324,7 +309,7 @@ export class Controls {
 
   private fillLists(): void {
     const { atlas } = this.explorer.map;
-    const families = byId<HTMLSelectElement>('family');
+    const families = select('family');
     if (!atlas || families.dataset.units === this.explorer.view.units) return;
     families.dataset.units = this.explorer.view.units;
     families.replaceChildren(option('', 'another one'), ...atlas.families.filter((f) => f.order <= 12).map((f) =>
@@ -336,8 +321,8 @@ export class Controls {
   private followSchedule(motion: ScheduleMotion): void {
     const a = this.answer;
     const family = a.family as Json | null;
-    byId<HTMLSelectElement>('family').value = family ? `${family.order},${family.nu},${family.contact_blocks}` : '';
-    if (byId<HTMLSelectElement>('family').selectedIndex < 0) byId<HTMLSelectElement>('family').value = '';
+    select('family').value = family ? `${family.order},${family.nu},${family.contact_blocks}` : '';
+    if (select('family').selectedIndex < 0) select('family').value = '';
     const range = this.energies();
     const energy = input('energy');
     energy.disabled = !range;
@@ -363,7 +348,7 @@ export class Controls {
   }
 
   private followMode(contact: number, turns: number, period: number): void {
-    const list = byId<HTMLSelectElement>('mode');
+    const list = select('mode');
     list.value = `${contact},${turns}`;
     const mode = this.explorer.map.atlas?.modes.find((m) => m.contact[0] === contact && m.contact[1] === turns);
     if (mode) input('period').value = String((period - mode.lowest) / (mode.highest - mode.lowest));

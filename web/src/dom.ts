@@ -7,6 +7,9 @@ export function byId<Element extends HTMLElement = HTMLElement>(id: string): Ele
 }
 
 export const input = (id: string): HTMLInputElement => byId<HTMLInputElement>(id);
+export const select = (id: string): HTMLSelectElement => byId<HTMLSelectElement>(id);
+
+export const slide = (id: string, act: (value: number) => void): void => input(id).addEventListener('input', () => act(Number(input(id).value)));
 
 /** Six digits, as people read them. */
 export function shown(value: number, digits = 6): string {

@@ -28,17 +28,18 @@ function pngOf(canvas: HTMLCanvasElement): Promise<Blob> {
 }
 
 function ofCanvas(label: string, file: string, view: Drawable): Picture {
+  const size = (): [number, number] => [view.canvas.clientWidth || 640, view.canvas.clientHeight || 230];
   return {
     label, file,
     png: () => {
       const copy = document.createElement('canvas');
-      const [width, height] = [view.canvas.clientWidth || 640, view.canvas.clientHeight || 230];
+      const [width, height] = size();
       [copy.width, copy.height] = [width * devicePixelRatio, height * devicePixelRatio];
       view.draw(copy.getContext('2d')!, width, height, devicePixelRatio);
       return pngOf(copy);
     },
     svg: async () => {
-      const [width, height] = [view.canvas.clientWidth || 640, view.canvas.clientHeight || 230];
+      const [width, height] = size();
       const context = new SvgContext(view.canvas);
       view.draw(context as unknown as Drawing, width, height, 1);
       return asSvg(context.asText(width, height, label));

@@ -1,7 +1,7 @@
 // Controls of what stands around the bar, and of any schedule that one types.
 
 import type { Motion, ScheduleMotion } from './core';
-import { byId, input, round, shown } from './dom';
+import { byId, input, round, select, shown, slide } from './dom';
 import type { Explorer } from './explorer';
 import { paperCase, phasesAsText, typedPhases } from './view';
 
@@ -18,10 +18,10 @@ const nameOf = ({ gap, second_stop: stop }: ScheduleMotion): string =>
 
 export class SceneControls {
   constructor(private readonly explorer: Explorer) {
-    byId<HTMLSelectElement>('scene').onchange = () => void explorer.show(scenes[byId<HTMLSelectElement>('scene').value]);
-    input('second-stop').addEventListener('input', () => {
+    select('scene').onchange = () => void explorer.show(scenes[select('scene').value]);
+    slide('second-stop', (stop) => {
       const { energy: _, ...motion } = explorer.view.motion as ScheduleMotion;
-      void explorer.show({ ...motion, second_stop: round(Number(input('second-stop').value) / 1000) });
+      void explorer.show({ ...motion, second_stop: round(stop / 1000) });
     });
     byId<HTMLFormElement>('schedule-form').onsubmit = (event) => {
       event.preventDefault();
@@ -42,7 +42,7 @@ export class SceneControls {
   }
 
   follow(motion: ScheduleMotion): void {
-    byId<HTMLSelectElement>('scene').value = nameOf(motion);
+    select('scene').value = nameOf(motion);
     byId('second-stop-row').hidden = motion.second_stop === undefined;
     input('second-stop').value = String((motion.second_stop ?? 1e-3) * 1000);
     byId('second-stop-value').textContent = `${shown((motion.second_stop ?? 1e-3) * 1000, 3)} mm`;
