@@ -156,6 +156,8 @@ def gathered(asked: dict[str, Any], *states: str, segments_are_bars: bool = Fals
         if get("second_stop") is not None or segments is not None:
             raise ValueError("scene clashes with second_stop, segments: allowed "
                              "those among its words")
+        if asked["bar_options"].get("gap") is not None:
+            raise ValueError("scene clashes with gap: allowed gap=G and stop=G among its words")
     scene = asked["scene"] = scene_of(
         where, get("bar"), get("second_stop"), segments, asked["bar_options"])
     if not several and get("cells") is None:

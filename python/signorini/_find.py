@@ -10,7 +10,8 @@ from ._core import (Bar, Continuum, ForcedResult, HarmonicResult, Result,
                     Scene, SceneContinuum, SceneContinuumPoint, SceneForcedResult,
                     SceneHarmonicResult, SceneQuestion, SceneResult, State)
 from ._progress import Progress
-from ._question import Question, ask, ask_bars, continuum_of_bars, find_bars, period_of, refuse
+from ._question import (OF_FREE, Question, ask, ask_bars, continuum_of_bars, find_bars, period_of,
+                        refuse)
 from ._words import (Force, Number, Objective, Quantity, Segments, Steps,
                      whole)
 
@@ -147,13 +148,15 @@ def find(
     if "words" in asked:
         return find_bars(asked, times, find.__kwdefaults__)
     if force is not None:
-        if not is_timed:
-            return _core.find_forced(scheduled(asked))
-        if schedule:
+        if is_timed and schedule:
             raise ValueError("period, frequency, hertz: allowed with damping "
                              "and force only without a schedule")
-        if where.segments:
+        if is_timed and where.segments:
             return find_bars(as_bars(excited(asked)), times, find.__kwdefaults__)
+        refuse(asked, find.__kwdefaults__, (*OF_FREE, "tip_floor", "formulation"), "without force")
+        if not is_timed:
+            refuse(asked, find.__kwdefaults__, ("contacts",), "of a period")
+            return _core.find_forced(scheduled(asked))
         above, below = period_of(times, cells, where.bar, whole("cycles", cycles))
         return _core.find_harmonic(excited({**asked, "numerator": above, "denominator": below}))
     if asked["amplitude"] is not None or (

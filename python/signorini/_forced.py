@@ -278,6 +278,10 @@ def sweep(over: Over = "frequency", start: Quantity = 0.5, to: Quantity = 2.0, *
     Sweep
     """
     asked = gathered(locals())
+    if over != "amplitude":
+        excited(asked)
+    if "words" in asked and asked["cells"] is not None:
+        raise ValueError("cells: allowed only without a scene of words")
     question = {name: value for name, value in asked.items()
                 if name not in ("file", "threads", "progress", "scene", "bar",
                                 "bar_options", "second_stop", "segments")}

@@ -79,8 +79,8 @@ def period_of(asked: dict[str, Any], cells: int | None, bar: Bar, cycles: int
     return _core.period_exactly(name, _word(name, word), _cells_of(cells), bar, cycles)
 
 
-#: What is asked of a schedule of bars, without a force and with one.
-_OF_FREE = ("energy", "energy_ratio", "target", "time_limit", "objective", "solver", "tolerance")
+#: What is asked of motions without a force, and with one.
+OF_FREE = ("energy", "energy_ratio", "target", "time_limit", "objective", "solver", "tolerance")
 _OF_FORCED = ("amplitude", "cycles")
 
 
@@ -114,14 +114,14 @@ def find_bars(asked: dict[str, Any], times: dict[str, Any], usual: dict[str, Any
     schedule = asked["schedule"]
     if not times:
         forced = asked["force"] is not None
-        refuse(asked, usual, _OF_FREE if forced else _OF_FORCED,
+        refuse(asked, usual, OF_FREE if forced else _OF_FORCED,
                "without force" if forced else "together with force")
         asked["steps"] = _spans_in(schedule)
         return _core.find_forced_bars(asked) if forced else _core.find_bars(asked)
     if asked["force"] is None:
         refuse(asked, usual, _OF_FORCED, "together with force")
         return ask_bars(times, asked)
-    refuse(asked, usual, _OF_FREE, "of a schedule, or without force")
+    refuse(asked, usual, OF_FREE, "of a schedule, or without force")
     if schedule or asked["amplitude"] is None:
         raise ValueError("period, frequency, hertz: of a forced scene of words allowed without a "
                          "schedule, with amplitude")

@@ -90,7 +90,7 @@ def bar_of(bar: Bar | None, options: Mapping[str, Quantity | None]) -> Bar:
     for name in given:
         if name not in _OF_BAR:
             near = difflib.get_close_matches(name, arguments, 1)
-            meant = f"; did you mean {near[0]}?" if near else ""
+            meant = f"; did you mean {near[0]}?" if near and near[0] != name else ""
             raise TypeError(f"{name} is not an argument here: of a bar these are "
                             f"{', '.join(_OF_BAR)}{meant}")
     if "diameter" in given:

@@ -37,8 +37,11 @@ void Asked::refuseKind(const char* name, const char* kind) const
         fmt::format("{} = {}: allowed {}", name, py::cast<std::string>(shown), kind));
 }
 
-void Asked::requireFits(const char* name, double value)
+void Asked::requireFits(const char* name, double value) const
 {
+    if (std::string_view(name) == "amplitude" && !(std::isfinite(value) && value > 0.0)) {
+        throwFault(name, value, fmt::format("finite numbers > 0 [{}]", unitOf(name)));
+    }
     static std::unordered_map<const char*, std::vector<const Option*>> known;
     const auto [rows, isNew] = known.try_emplace(name);
     if (isNew) {

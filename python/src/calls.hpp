@@ -154,7 +154,7 @@ private:
     [[nodiscard]] static PyObject* keyOf(const char* name);
     /// In which the program takes an option of that name.
     [[nodiscard]] std::string unitOf(const char* name) const;
-    static void requireFits(const char* name, double value);
+    void requireFits(const char* name, double value) const;
     [[noreturn]] void refuseKind(const char* name, const char* kind) const;
 };
 

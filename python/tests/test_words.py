@@ -92,6 +92,8 @@ def test_an_error_has_the_number_that_was_given(ask: Callable[[], object],
     (lambda: untyped.Segment("x"), r"Segment\('x'\): allowed Segment\(cells: int"),
     (lambda: untyped.find(150, 900, energy_ration=20),
      r"energy_ration is not an argument here: .*; did you mean energy_ratio\?$"),
+    (lambda: untyped.simulate(rest=True),
+     r"rest is not an argument here: of a bar these are [a-z_, ]*$"),
     (lambda: untyped.families()[0].schedule("x"),
      r"schedule\('x'\): allowed schedule\(cells: int\)"),
 ])
@@ -210,3 +212,53 @@ def test_what_segments_under_a_harmonic_do_not_take_names_them(wrong: dict[str, 
                                 "damping": 0.1, "amplitude": 1e-3}
     with pytest.raises(ValueError, match=f"^{next(iter(wrong))}: allowed only .* segments under"):
         untyped.find(**segments, **wrong)
+
+
+DAMPED: dict[str, Any] = {"force": "tip", "damping": 0.1, "cells": 6}
+BARS = "clamp 6 dash=0.1 driven gap=1e-3 6 clamp"
+
+
+@pytest.mark.parametrize("ask", [
+    lambda **wrong: untyped.find(3, 18, **DAMPED, **wrong),
+    lambda **wrong: untyped.find(3, 18, force="tip", damping=0.1, segments=[(3, 1.0), (3, 2.0)],
+                                 **wrong),
+    lambda **wrong: untyped.find(frequency=1.1, amplitude=1e-3, **DAMPED, **wrong),
+])
+@pytest.mark.parametrize("wrong", [
+    {"energy_ratio": 3}, {"energy": 1e-6}, {"objective": "max-impulse"}, {"tip_floor": -1e-3},
+    {"solver": "glpk-simplex"}, {"formulation": "state"}, {"tolerance": 1e-3}, {"time_limit": 1},
+])
+def test_what_motions_under_a_force_do_not_take_is_refused(ask: Any, wrong: dict[str, Any]) -> None:
+    with pytest.raises(ValueError, match=f"^{next(iter(wrong))}: allowed only without force$"):
+        ask(**wrong)
+
+
+def test_a_schedule_says_by_itself_how_many_contacts_it_has() -> None:
+    with pytest.raises(ValueError, match="^contacts: allowed only of a period$"):
+        untyped.find(3, 18, contacts=2, **DAMPED)
+
+
+@pytest.mark.parametrize("wrong", [-1e-3, 0.0, -math.inf, math.nan])
+@pytest.mark.parametrize("ask, unit", [
+    (lambda amplitude: untyped.find(3, 18, amplitude=amplitude, **DAMPED), "N"),
+    (lambda amplitude: untyped.find(frequency=1.1, amplitude=amplitude, **DAMPED), "N"),
+    (lambda amplitude: untyped.response(amplitude=amplitude, **{**DAMPED, "force": "base"}), "m"),
+    (lambda amplitude: untyped.sweep(amplitude=amplitude, **DAMPED), "N"),
+    (lambda amplitude: untyped.find(3, 18, scene=BARS, force="tip", amplitude=amplitude), "N"),
+    (lambda amplitude: untyped.exact_response(scene=BARS, force="tip", amplitude=amplitude), "N"),
+])
+def test_an_amplitude_is_refused_as_it_was_given(ask: Any, unit: str, wrong: float) -> None:
+    with pytest.raises(ValueError, match=rf"^amplitude = {wrong:g} is out of range: "
+                                         rf"allowed finite numbers > 0 \[{unit}\]$"):
+        ask(wrong)
+
+
+@pytest.mark.parametrize("ask, told", [
+    (lambda: untyped.find(3, 18, scene="clamp 6 stop=1e-3", gap=2e-3), "scene clashes with gap"),
+    (lambda: untyped.sweep(scene=BARS, force="tip", amplitude=1e-3, cells=9), "cells: allowed"),
+    (lambda: untyped.sweep(scene=BARS, force="tip"), "amplitude is missing: allowed"),
+])
+def test_what_the_words_of_a_scene_say_is_not_said_twice(ask: Callable[[], object],
+                                                         told: str) -> None:
+    with pytest.raises(ValueError, match=f"^{told}"):
+        ask()
