@@ -259,12 +259,37 @@ private:
         throwFault("scene", text.empty() ? "''" : text, allowed);
     }
 
+    /// Of the whole length: a gap, or a force.
+    [[nodiscard]] double strainOf(const AssemblyPart& part) const
+    {
+        if (part.kind == PartKind::force) {
+            return std::abs(part.value) / assembly_.axialStiffness;
+        }
+        const bool isWay = part.kind == PartKind::gap || part.kind == PartKind::rightStop ||
+                           part.kind == PartKind::leftStop;
+        return isWay ? std::abs(part.value) / assembly_.length : 0.0;
+    }
+    [[nodiscard]] double energyOf(double strain) const
+    {
+        return 0.5 * assembly_.axialStiffness * strain * strain * assembly_.length;
+    }
+
     void checkValue(const AssemblyPart& part) const
     {
         const bool isPositive = part.kind == PartKind::dash || part.kind == PartKind::spring ||
                                 part.kind == PartKind::mass;
         if (!std::isfinite(part.value) || (isPositive && !(part.value > 0.0))) {
             refuse(number_, isPositive ? "finite and > 0" : "finite");
+        }
+        if (const double strain = strainOf(part); strain != 0.0) {
+            const double largest =
+                std::max({strain, strain * assembly_.waveSpeed, energyOf(strain)});
+            const double least = std::min({strain, strain * assembly_.waveSpeed, energyOf(strain)});
+            if (!(least >= 1e-250 && largest <= 1e250)) {
+                refuse(number_,
+                       "0, or what leaves strains, speeds and energies in 1e-250..1e250, in SI "
+                       "units");
+            }
         }
         if (part.kind == PartKind::cells &&
             (part.cells < 1 || part.cells > maxCells || !isImpedance(part.impedance) ||

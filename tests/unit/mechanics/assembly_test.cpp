@@ -81,6 +81,9 @@ TEST_CASE("assembly: what is no scene is refused, and the word is named")
         {"clamp 3 gap=1 dash=1", "word 4 = dash=1 is out of range: allowed a gap with cells"},
         {"clamp 3 gap=1 spring=1", "word 4 = spring=1 is out of range: allowed behind a gap only"},
         {"clamp dash=1 3 stop=1", "word 2 = dash=1 is out of range: allowed places that move"},
+        {"clamp 3 stop=1e200", "word 3 = stop=1e+200 is out of range: allowed 0, or what leaves"},
+        {"clamp 3 gap=-1e-140 3 clamp", "word 3 = gap=-1e-140 is out of range: allowed 0, or"},
+        {"clamp 3 force=1e150 stop=1", "word 3 = force=1e+150 is out of range: allowed 0, or"},
         {"clamp 99999999 9 stop=1", "word 3 = 9 is out of range: allowed at most 100000000 cells"}};
     for (const auto& [text, message] : wrong) {
         CHECK_THROWS_WITH(validate(assembly(text)), Catch::Contains(message));
