@@ -97,9 +97,10 @@ void describe(auto& d, Type<SceneHarmonicMotion>)
         &T::release);
     d.key("phase", "rad", "Of the excitation at the start of contact.",
           ofValue(&NetworkHarmonicMotion::phase));
-    d.key("impulse", "N s > 0", "Of the contact in a period.",
+    d.key("impulse", "N s >= 0",
+          "Of the contact in a period: 0 of one that a force in steps only touches.",
           [](const T& m) { return m.value.impulse * m.scales.force() * m.scales.time; });
-    d.key("peak_force", "N > 0", "Largest.",
+    d.key("peak_force", "N >= 0", "Largest.",
           [](const T& m) { return m.value.peakForce * m.scales.force(); });
     d.key("speed", "m/s >= 0", "With which the contact closes.",
           [](const T& m) { return m.value.speed * m.scales.velocity(); });

@@ -69,7 +69,7 @@ SceneHarmonicMotion motionOf(const ForcedMotion& motion, std::size_t contact, st
     made.value.contact = contact;
     made.value.phase = motion.phase;
     made.value.release = static_cast<double>(closed);
-    made.value.impulse = seen.impulses[contact];
+    made.value.impulse = std::max(0.0, seen.impulses[contact]);  // but for rounding
     made.value.peakForce = seen.peakForces[contact];
     made.value.speed = seen.extremes.contacts[contact].approach;
     made.value.residual = motion.residual;

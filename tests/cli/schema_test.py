@@ -83,6 +83,8 @@ CALLS = [
      " --force tip --amplitude 2e-3 --strain-limit 1e-2"),
     ("response-bars", "response --exact --from 0.4Hz --to 0.7Hz --scene 'clamp 6 dash=0.1 driven gap=1e-3 8 dash=0.2 2"
      " clamp' --force tip --amplitude 2e-3"),
+    ("response-bars", "response --from 1.2 --to 1.3 --force base --amplitude 1e-3"
+                      " --scene 'clamp shaken 8:2:0.5 gap=1 5:0.5 dash=100 stop=1e-3'"),  # touches
     ("response-bars", "response --exact --from 0.9 --to 1.4 --segments 6:1,6:1.3 --damping 0.03 --force base"
      " --amplitude-acceleration 3e-3"),
     ("find-harmonic", "find --period 18/5 --contacts 1 --damping 0.05 --force base --amplitude 1e-9"),
