@@ -44,6 +44,20 @@ std::int64_t stepsOf(const Assembly& assembly, const AskedSteps& asked, std::int
     return static_cast<std::int64_t>(nearest);
 }
 
+namespace {
+
+bool mayPress(const Network& network)
+{
+    for (std::size_t contact = 0; contact < network.contacts.size(); ++contact) {
+        if (meanPushOf(network, contact)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
 SceneHarmonicAnswer answerOf(const Assembly& assembly, Excited place, std::int64_t cycles,
                              std::int64_t steps, double amplitude, int derivative)
 {
@@ -54,6 +68,7 @@ SceneHarmonicAnswer answerOf(const Assembly& assembly, Excited place, std::int64
     for (NetworkHarmonicMotion& motion : harmonicContacts(answer.given())) {
         answer.motions.push_back(motionOf(assembly, network.scales, std::move(motion)));
     }
+    answer.mayPress = mayPress(network);
     return answer;
 }
 
@@ -107,8 +122,13 @@ std::optional<double> SceneHarmonicAnswer::frequencyRatio() const
 
 std::optional<std::string> SceneHarmonicAnswer::detail() const
 {
-    if (status() != Status::undecided) {
+    if (status() == Status::found) {
         return std::nullopt;
+    }
+    if (status() == Status::none) {
+        return "over a period the pushes of one contact have to balance the constant forces on "
+               "bars "
+               "that nothing holds, and cannot";
     }
     const auto beyond = limit.detail();
     return beyond ? beyond : "no motion with one contact in a period: computed, not proved";

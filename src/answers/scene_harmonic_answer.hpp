@@ -52,10 +52,12 @@ struct SceneHarmonicAnswer {
     SeveralBars bars;
     std::vector<SceneHarmonicMotion> motions;  ///< by ascending impulse
     HarmonicLimit limit = {};
+    /// Does momentum allow a contact to press? Constant forces on bars that drift may not.
+    bool mayPress = true;
 
     [[nodiscard]] Status status() const
     {
-        return motions.empty() ? Status::undecided : Status::found;
+        return !motions.empty() ? Status::found : mayPress ? Status::undecided : Status::none;
     }
     [[nodiscard]] double period() const { return static_cast<double>(steps) * scales.time; }
     /// Of the excitation [Hz].
@@ -125,7 +127,10 @@ void describe(auto& d, Type<SceneHarmonicAnswer>)
     using T = SceneHarmonicAnswer;
     d.record("SceneHarmonicResult",
              "Motions of bars in a row with one contact in a period, under an exact harmonic.");
-    d.key("status", "-", R"("found" or "undecided".)", &T::status);
+    d.key(
+        "status", "-",
+        R"("found", "undecided", or "none" where no push gives bars that drift their momentum back.)",
+        &T::status);
     d.key("force", "-", "What is excited: driven nodes (tip), or shaken clamps (base).", &T::place);
     d.key("cycles", "- >= 1", "Of the excitation in a period.", &T::cycles);
     d.key("amplitude", "N or m > 0", "Of the excitation.", &T::amplitude);
@@ -137,7 +142,7 @@ void describe(auto& d, Type<SceneHarmonicAnswer>)
     d.key("motions", "-", "By ascending impulse.", &T::motions);
     describeLimit(d, &T::limit);
     describeBarsAndContacts(d, &T::bars);
-    d.key("detail", "-", "Why it is not decided.", &T::detail, When::undecided);
+    d.key("detail", "-", "Why there is none, or it is not decided.", &T::detail, When::undecided);
 }
 
 }  // namespace signorini::answers

@@ -156,8 +156,10 @@ std::optional<SceneFrequency> frequencyAt(const SceneResponse& asked, std::int64
     }
     try {
         at.distance = openDistances(given);
-        for (double& distance : *at.distance) {
-            distance *= scales.displacement;
+        if (at.distance) {
+            for (double& distance : *at.distance) {
+                distance *= scales.displacement;
+            }
         }
         for (NetworkHarmonicMotion& motion : harmonicContacts(given)) {
             at.motions.push_back(motionOf(asked.bars.assembly, scales, std::move(motion)));

@@ -141,7 +141,7 @@ void measureStrains(const HarmonicNetwork& given, std::span<const double> displa
     const std::int64_t cuts = cutsOf(given);
     std::vector<StepPart> parts;
     NetworkHarmonicMotion walked = motion;
-    const auto keep = [&](std::span<const std::complex<double>> arriving, double from, double to) {
+    const auto keep = [&](std::span<const SteadyHarmonic> arriving, double from, double to) {
         auto part = std::find_if(parts.begin(), parts.end(),
                                  [&](const StepPart& one) { return one.from == from; });
         if (part == parts.end()) {
@@ -154,10 +154,13 @@ void measureStrains(const HarmonicNetwork& given, std::span<const double> displa
             const double end =
                 std::min(to, static_cast<double>(cut + 1) / static_cast<double>(cuts));
             for (std::size_t channel = 0; channel < arriving.size(); ++channel) {
-                part->of[channel].push_back(
-                    begin < end || cuts == 1
-                        ? boundsOf(arriving[channel], given.omega() * begin, given.omega() * end)
-                        : HarmonicBounds{infinity, -infinity});
+                HarmonicBounds& seen =
+                    part->of[channel].emplace_back(HarmonicBounds{infinity, -infinity});
+                if (begin < end || cuts == 1) {
+                    const auto [steady, swing] = arriving[channel];
+                    seen = boundsOf(swing, given.omega() * begin, given.omega() * end);
+                    seen = {seen.least + steady, seen.most + steady};
+                }
             }
         }
     };

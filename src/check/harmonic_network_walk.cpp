@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "contact_spans.hpp"
 #include "harmonic_walk.hpp"
 #include "largest.hpp"
 #include "network_simulation.hpp"
+#include "portable.hpp"
 
 namespace signorini {
 
@@ -15,7 +18,7 @@ using Complex = std::complex<double>;
 
 /// The waves of one part of all steps, and the part [from, to] that it is.
 struct Lane {
-    NetworkWaves<Complex> waves;
+    NetworkWaves<SteadyHarmonic> waves;
     std::int64_t held;  ///< steps of contact
     double from;
     double to;
@@ -32,7 +35,8 @@ public:
           open_(network_, 0),
           closed_(network_, ContactSet{1} << motion.contact),
           drive_(given.amplitude * turned(-motion.phase)),
-          slope_(0.0, given.omega())
+          slope_(0.0, given.omega()),
+          bars_(driftingBars(given.network))
     {
         const double whole = std::floor(motion.release);
         const double part = motion.release - whole;
@@ -41,7 +45,6 @@ public:
         if (part > 0.0) {
             lanes_.insert(lanes_.begin(), {{network_, motion.early}, held + 1, 0.0, part});
         }
-        const auto sizeOf = [](Complex wave) { return lengthOf(wave); };
         size_ = std::max(largestOf(motion.early, sizeOf), largestOf(motion.late, sizeOf));
         stiffest_ = largestOf(network_.rows, &CellRow::impedance);
     }
@@ -57,14 +60,14 @@ public:
             }
             const Complex drive = drive_ * given_.turn(m);
             const auto [force, base] = given_.drive(drive);
-            force_ = force;
-            base_ = base;
+            force_.swing = force;
+            base_.swing = base;
             for (Lane& lane : lanes_) {
                 if (watch_.arrivals) {
                     watch_.arrivals(lane.waves.arriving(), lane.from, lane.to);
                 }
                 const bool isHeld = m < lane.held;
-                const NetworkLaw<Complex>& law = isHeld ? closed_ : open_;
+                const NetworkLaw<SteadyHarmonic>& law = isHeld ? closed_ : open_;
                 for (std::size_t j = 0; j < network_.contacts.size(); ++j) {
                     if (isHeld && j == motion_.contact) {
                         press(law, lane);
@@ -72,6 +75,7 @@ public:
                         part(law, lane, j);
                     }
                 }
+                drift(law, lane);
                 lane.waves.step(law, force_, base_);
             }
         }
@@ -82,18 +86,26 @@ public:
             watch_.path->push_back({step_ + 1.0, distances_[motion_.contact], 0.0});
         }
         for (const Lane& lane : lanes_) {
-            const std::vector<Complex> after = lane.waves.waves();
-            const std::vector<Complex>& before =
+            const std::vector<SteadyHarmonic> after = lane.waves.waves();
+            const std::vector<SteadyHarmonic>& before =
                 lane.from == 0.0 && lanes_.size() > 1 ? motion_.early : motion_.late;
             for (std::size_t i = 0; i < after.size(); ++i) {
-                defect = std::max(defect, lengthOf(after[i] - before[i]) / size_);
+                defect = std::max(defect, sizeOf(after[i] - before[i]) / size_);
             }
+        }
+        for (std::size_t k = 0; k < drifts_.size(); ++k) {
+            defect = std::max(defect, std::abs(drifts_[k] - startDrifts_[k]) / length());
         }
         motion_.residual = std::max({defect, std::abs(distances_[motion_.contact]) / length(),
                                      pull_ / (2.0 * stiffest_ * size_), overlap_ / length()});
     }
 
 private:
+    static double sizeOf(const SteadyHarmonic& wave)
+    {
+        return std::abs(wave.steady) + lengthOf(wave.swing);
+    }
+
     /// Of what distances are compared with.
     [[nodiscard]] double length() const
     {
@@ -107,12 +119,13 @@ private:
         for (const Lane& lane : lanes_) {
             const Complex weight =
                 (turned(given_.omega() * lane.to) - turned(given_.omega() * lane.from)) / slope_;
-            const std::vector<Complex> values = lane.waves.waves();
+            const std::vector<SteadyHarmonic> values = lane.waves.waves();
             for (std::size_t i = 0; i < values.size(); ++i) {
-                now.waves[i] += (values[i] * weight).real();
+                now.waves[i] +=
+                    (values[i].swing * weight).real() + values[i].steady * (lane.to - lane.from);
             }
         }
-        now.displacements = displacementsOf(network_, now.waves, {});
+        now.displacements = displacementsOf(network_, now.waves, drifts_);
         for (std::size_t node = 0; node < now.displacements.size(); ++node) {
             const auto clamp = displacementOf(network_, node).clamp;
             if (clamp && network_.nodes[*clamp].isShaken && given_.place != Excited::tip) {
@@ -122,8 +135,34 @@ private:
         return now;
     }
 
+    /// Bars that drift swing about where the scene has them; the last one at the contact stands
+    /// where that closes.
+    void placeBars()
+    {
+        const auto [force, base] = given_.drive(drive_);
+        const std::span<const SteadyHarmonic> arriving = lanes_.front().waves.arriving();
+        for (const std::size_t bar : bars_) {
+            const LinearForm<SteadyHarmonic>& velocity =
+                open_.velocity(network_.bars[bar].firstNode);
+            const SteadyHarmonic rate =
+                velocity.at(arriving, SteadyHarmonic(0.0, force), SteadyHarmonic(0.0, base));
+            drifts_.push_back((rate.swing / slope_).real());
+        }
+        const auto touched = driftsOf(network_, motion_.contact);
+        if (!touched.empty()) {
+            const std::vector<double> places = stateAt(0).displacements;
+            const NetworkContact& contact = network_.contacts[motion_.contact];
+            const double distance =
+                contact.gap + openingOf(contact, [&](std::size_t node) { return places[node]; });
+            drifts_[static_cast<std::size_t>(touched.back().first)] -=
+                touched.back().second * distance;
+        }
+        startDrifts_ = drifts_;
+    }
+
     void startDistances()
     {
+        placeBars();
         const std::vector<double> places = stateAt(0).displacements;
         for (const NetworkContact& contact : network_.contacts) {
             distances_.push_back(
@@ -131,52 +170,86 @@ private:
         }
     }
 
-    void press(const NetworkLaw<Complex>& law, const Lane& lane)
+    void press(const NetworkLaw<SteadyHarmonic>& law, const Lane& lane)
     {
-        const Complex push = law.push(motion_.contact).at(lane.waves.arriving(), force_, base_);
+        const SteadyHarmonic push =
+            law.push(motion_.contact).at(lane.waves.arriving(), force_, base_);
         const HarmonicBounds seen =
-            boundsOf(push, given_.omega() * lane.from, given_.omega() * lane.to);
-        pull_ = std::max(pull_, -seen.least);
-        motion_.peakForce = std::max(motion_.peakForce, seen.most);
+            boundsOf(push.swing, given_.omega() * lane.from, given_.omega() * lane.to);
+        pull_ = std::max(pull_, -seen.least - push.steady);
+        motion_.peakForce = std::max(motion_.peakForce, seen.most + push.steady);
         motion_.impulse += integral(push, lane);
-        see(lane, 0.0, 0.0, push);
+        see(lane, 0.0, {}, push);
     }
 
-    /// A distance that is `least` and a harmonic, and a push.
-    void see(const Lane& lane, double least, Complex way, Complex push)
+    /// What bars that drift go.
+    void drift(const NetworkLaw<SteadyHarmonic>& law, const Lane& lane)
+    {
+        for (std::size_t k = 0; k < bars_.size(); ++k) {
+            const std::size_t node = network_.bars[bars_[k]].firstNode;
+            drifts_[k] +=
+                integral(law.velocity(node).at(lane.waves.arriving(), force_, base_), lane);
+        }
+    }
+
+    /// A distance that is `least` and a speed and a harmonic, and a push.
+    void see(const Lane& lane, double least, const SteadyHarmonic& way, const SteadyHarmonic& push)
     {
         constexpr int instants = 4;
         for (int k = 0; watch_.path != nullptr && k <= instants; ++k) {
             const double s = lane.from + (lane.to - lane.from) * k / instants;
             const Complex turn = turned(given_.omega() * s);
-            watch_.path->push_back({step_ + s, least + (way * turn).real(), (push * turn).real()});
+            watch_.path->push_back(
+                {step_ + s, least + way.steady * (s - lane.from) + (way.swing * turn).real(),
+                 push.steady + (push.swing * turn).real()});
         }
     }
 
     /// The distance of a contact that is open.
-    void part(const NetworkLaw<Complex>& law, const Lane& lane, std::size_t j)
+    void part(const NetworkLaw<SteadyHarmonic>& law, const Lane& lane, std::size_t j)
     {
-        const Complex rate = openingOf(network_.contacts[j], [&](std::size_t node) {
+        const SteadyHarmonic rate = openingOf(network_.contacts[j], [&](std::size_t node) {
             return law.velocity(node).at(lane.waves.arriving(), force_, base_);
         });
-        const Complex way = rate / slope_;
-        const double begin = given_.omega() * lane.from;
-        const HarmonicBounds seen = boundsOf(way, begin, given_.omega() * lane.to);
-        const double start = (way * turned(begin)).real();
-        overlap_ = std::max(overlap_, start - seen.least - distances_[j]);
+        overlap_ = std::max(overlap_, -leastWay(rate, lane) - distances_[j]);
         if (j == motion_.contact) {
-            see(lane, distances_[j] - start, way, 0.0);
-            motion_.speed = -(rate * turned(given_.omega() * lane.to)).real();
+            const SteadyHarmonic way(rate.steady, rate.swing / slope_);
+            const double start = (way.swing * turned(given_.omega() * lane.from)).real();
+            see(lane, distances_[j] - start, way, {});
+            motion_.speed = -(rate.swing * turned(given_.omega() * lane.to)).real() - rate.steady;
         }
         distances_[j] += integral(rate, lane);
     }
 
-    /// Of Re(z e^{i omega s}) over the part of a lane.
-    [[nodiscard]] double integral(Complex z, const Lane& lane) const
+    /// The least that this rate adds up to within a lane: at its ends, or where the rate is 0.
+    [[nodiscard]] double leastWay(const SteadyHarmonic& rate, const Lane& lane) const
     {
-        return (z / slope_ *
-                (turned(given_.omega() * lane.to) - turned(given_.omega() * lane.from)))
-            .real();
+        double least = std::min(0.0, integral(rate, lane));
+        const double size = lengthOf(rate.swing);
+        if (!(std::abs(rate.steady) < size)) {
+            return least;
+        }
+        const double apart = portable::acos(-rate.steady / size);
+        for (double angle : {apart, -apart}) {
+            angle -= angleOf(rate.swing) + given_.omega() * lane.from;
+            angle -= 2.0 * std::numbers::pi * std::floor(angle / (2.0 * std::numbers::pi));
+            const double until = lane.from + angle / given_.omega();
+            if (until < lane.to) {
+                least = std::min(least, integral(rate, lane.from, until));
+            }
+        }
+        return least;
+    }
+
+    /// Over the part of a lane.
+    [[nodiscard]] double integral(const SteadyHarmonic& z, const Lane& lane) const
+    {
+        return integral(z, lane.from, lane.to);
+    }
+    [[nodiscard]] double integral(const SteadyHarmonic& z, double from, double to) const
+    {
+        const Complex turn = turned(given_.omega() * to) - turned(given_.omega() * from);
+        return z.steady * (to - from) + (z.swing / slope_ * turn).real();
     }
 
     const HarmonicNetwork& given_;
@@ -184,13 +257,16 @@ private:
     NetworkHarmonicMotion& motion_;
     const HarmonicWatch& watch_;
     double step_ = 0.0;
-    NetworkLaw<Complex> open_;
-    NetworkLaw<Complex> closed_;
+    NetworkLaw<SteadyHarmonic> open_;
+    NetworkLaw<SteadyHarmonic> closed_;
     Complex drive_;
     Complex slope_;  ///< i omega
-    Complex force_;
-    Complex base_;
+    SteadyHarmonic force_;
+    SteadyHarmonic base_;
     std::vector<Lane> lanes_;
+    std::vector<std::size_t> bars_;  ///< that drift
+    std::vector<double> drifts_;     ///< displacements of their first nodes
+    std::vector<double> startDrifts_;
     std::vector<double> distances_;
     double size_ = 0.0;  ///< of the largest wave
     double stiffest_ = 0.0;

@@ -24,13 +24,14 @@ struct HarmonicWatch {
     /// At each step and at the end, waves as means over cells; O(M) each.
     std::function<void(std::int64_t step, const NetworkStart& now)> state = {};
     /// What arrives in a part of each step, by channel, and which part [from, to] that is.
-    std::function<void(std::span<const std::complex<double>> arriving, double from, double to)>
-        arrivals = {};
+    std::function<void(std::span<const SteadyHarmonic> arriving, double from, double to)> arrivals =
+        {};
 };
 
-/// Fills in impulse, peakForce, speed and residual. Distances follow from the waves at the start;
-/// within a step push and rate are a harmonic, whose extremes are known. O(M + n nodes).
-/// \pre no constant forces, no bar that drifts.
+/// Fills in impulse, peakForce, speed and residual. Distances follow from the waves at the start,
+/// of a bar that drifts from where the contact closes; elsewhere it swings about its place in the
+/// scene. Within a step push and rate are a constant and a harmonic, whose extremes are known. O(M
+/// + n nodes).
 void measure(const HarmonicNetwork& given, NetworkHarmonicMotion& motion,
              const HarmonicWatch& watch = {});
 

@@ -83,7 +83,7 @@ ContactAnswers::ContactAnswers(const HarmonicNetwork& given, const OpenNetwork& 
 
 std::vector<ContactAnswers::Complex> ContactAnswers::rates(std::size_t contact) const
 {
-    std::vector<Complex> spectrum{0.0};
+    std::vector<Complex> spectrum{open_.driftRate(contact_)};
     for (Index k = 1; k < answers_.cols(); ++k) {
         spectrum.push_back(open_.rateByPush(contact, answers_.col(k), contact_));
     }
@@ -237,12 +237,15 @@ NetworkStart ContactAnswers::startOf(Plane place, const std::vector<double>& pus
     return {std::move(waves), std::move(displacements)};
 }
 
-std::vector<ContactAnswers::Complex> ContactAnswers::wavesOf(
-    const std::vector<Complex>& pushes) const
+std::vector<SteadyHarmonic> ContactAnswers::wavesOf(Complex excitation,
+                                                    const std::vector<SteadyHarmonic>& pushes,
+                                                    std::span<const SteadyHarmonic> even) const
 {
-    std::vector<Complex> waves;
+    std::vector<SteadyHarmonic> waves;
     forEachWave([&](Index channel, std::int64_t m) {
-        waves.push_back(driven_[channel] * given_.turn(m) + arriving(channel, m, pushes));
+        const Complex driven = excitation * driven_[channel] * given_.turn(m);
+        waves.push_back(SteadyHarmonic(0.0, driven) + even[static_cast<std::size_t>(channel)] +
+                        arriving(channel, m, pushes));
     });
     return waves;
 }
@@ -262,13 +265,13 @@ Value ContactAnswers::arriving(Index channel, std::int64_t m,
         }
     }
     const std::vector<double>& kernel = byPush_[static_cast<std::size_t>(channel)];
-    Value sum = 0.0;
+    Value sum{};
     const std::int64_t after = m + given_.steps - offsetOf(channel);
     for (std::int64_t k = after % period_.residues; k < static_cast<std::int64_t>(pushes.size());
          k += period_.residues) {
         const std::int64_t later = (after + given_.steps - k) % given_.steps;
-        sum += kernel[static_cast<std::size_t>(later / period_.residues)] *
-               pushes[static_cast<std::size_t>(k)];
+        sum = sum + kernel[static_cast<std::size_t>(later / period_.residues)] *
+                        pushes[static_cast<std::size_t>(k)];
     }
     return sum;
 }

@@ -26,7 +26,7 @@ public:
 
     /// Keeps references. O((n/G)^2) for each contact and, for each frequency, channels^3.
     /// \throws Resonance if waves resonate; in steps also if nothing damps some waves of the
-    /// period, or what a push moves. \pre as OpenNetwork; no bar drifts.
+    /// period, or what a push moves. \pre as OpenNetwork; in steps no bar drifts.
     ContactAnswers(const HarmonicNetwork& given, const OpenNetwork& open, std::size_t contact,
                    Drive drive);
 
@@ -46,11 +46,14 @@ public:
     /// The waves at t = 0 under the excitation (C, S) and pushes in the first steps. O(cells
     /// n_c/G).
     [[nodiscard]] NetworkStart startOf(Plane place, const std::vector<double>& pushes) const;
-    /// The same for A = 1 and pushes that are harmonics, in the order of Network::waves.
-    [[nodiscard]] std::vector<Complex> wavesOf(const std::vector<Complex>& pushes) const;
+    /// The same for the excitation A and pushes that are a constant and a harmonic, to which waves
+    /// are added that are the same in all steps, by channel; in the order of Network::waves.
+    [[nodiscard]] std::vector<SteadyHarmonic> wavesOf(Complex excitation,
+                                                      const std::vector<SteadyHarmonic>& pushes,
+                                                      std::span<const SteadyHarmonic> even) const;
 
 private:
-    /// At which a push of 1 widens the distance of a contact, by frequency; 0 for k = 0.
+    /// At which a push of 1 widens the distance of a contact, by frequency; for k = 0 its own.
     [[nodiscard]] std::vector<Complex> rates(std::size_t contact) const;
     [[nodiscard]] ClosingContact askOf(std::size_t contact,
                                        const std::vector<Complex>& spectrum) const;

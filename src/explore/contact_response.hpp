@@ -37,7 +37,7 @@ struct ContactResponse {
 /// forcedScene. None if it was cancelled. Undecided: schedules whose waves the steps in flight fix
 /// no better than rounding, residuals that say so, and what forcedScene does not decide.
 /// \throws std::invalid_argument as requireAsked (harmonic_network.hpp), of at most
-/// maxStaircaseSteps; as underConstantForces; as forcedScene.
+/// maxStaircaseSteps; as forcedScene.
 [[nodiscard]] std::optional<std::vector<ContactResponse>> contactResponses(
     const HarmonicNetwork& given, const Cancel& cancel);
 

@@ -22,10 +22,11 @@ constexpr double sameContact = 1e-7;  // motions nearer than this are one
 
 struct StillCase {
     HarmonicNetwork given;
-    std::vector<double> displaced;  ///< the nodes, by constant forces
+    HarmonicNetwork unforced;       ///< without what pulls at bars that drift
+    std::vector<double> displaced;  ///< the nodes, by other constant forces
 };
 
-/// Distances counted from the shape under constant forces. \throws std::invalid_argument.
+/// Distances counted from the shape under these. \throws std::invalid_argument.
 StillCase stillOf(const HarmonicNetwork& given)
 {
     requireAsked(given, maxHarmonicSteps);
@@ -34,65 +35,156 @@ StillCase stillOf(const HarmonicNetwork& given)
                      [](const NetworkNode& node) { return node.dashpot > 0.0; })) {
         throw std::invalid_argument("nothing is damped: there must be a dashpot");
     }
-    if (!driftingBars(given.network).empty()) {
-        throw std::invalid_argument(
-            "a bar that nothing holds: its place does not follow from waves");
-    }
     StillNetwork still = underConstantForces(given.network);
     HarmonicNetwork moved = given;
     moved.network = std::move(still.network);
-    return {std::move(moved), std::move(still.displacements)};
+    HarmonicNetwork unforced = given;
+    unforced.network = withoutForces(moved.network);
+    return {std::move(moved), std::move(unforced), std::move(still.displacements)};
 }
 
-/// Pushes of a number of steps of contact, for A = 1.
+/// Constant forces on bars that drift, by node.
+std::vector<double> forcesOf(const Network& network)
+{
+    std::vector<double> forces;
+    for (const NetworkNode& node : network.nodes) {
+        forces.push_back(network.bars[node.bar].drifts() ? node.force : 0.0);
+    }
+    return forces;
+}
+
+/// Pushes of a number of steps of contact, for |A| = 1; swings are for A = 1.
 struct HeldSteps {
-    std::vector<Complex> pushes;  ///< Q_i
-    Complex displaced;  ///< sum of H Q, by which the distance at the start is larger, d/ds
-    Complex next;       ///< the rate in the step after it
+    std::vector<SteadyHarmonic> pushes;  ///< P_i and Q_i
+    /// The distance at the start without the drive, the swing negative and d/ds: gap and sum of H
+    /// Q. Where a bar drifts the mean rate of the distance: V.
+    SteadyHarmonic left;
+    SteadyHarmonic next;  ///< the rate in the step after it
 
     [[nodiscard]] double largestPush() const
     {
-        return largestOf(pushes, [](Complex push) { return lengthOf(push); });
+        return largestOf(pushes, [](const SteadyHarmonic& push) {
+            return std::abs(push.steady) + lengthOf(push.swing);
+        });
     }
 };
+
+double atStart(const SteadyHarmonic& value, Complex unit)
+{
+    return value.steady + (value.swing * unit).real();
+}
 
 /// Every length of one contact of a network.
 class NetworkContactSearch {
 public:
-    NetworkContactSearch(const HarmonicNetwork& given, const OpenNetwork& open, std::size_t contact,
-                         std::vector<NetworkHarmonicMotion>& found)
-        : given_(given),
+    /// \pre a mean push that momentum allows [Z_1 delta/h].
+    NetworkContactSearch(const StillCase& still, const OpenNetwork& open, std::size_t contact,
+                         double meanPush, std::vector<NetworkHarmonicMotion>& found)
+        : given_(still.given),
           contact_(contact),
           found_(found),
-          answers_(given, open, contact, Drive::exactly),
-          drivenRate_(-answers_.period().contacts.front().driven)
+          answers_(still.unforced, open, contact, Drive::exactly),
+          drivenRate_(-answers_.period().contacts.front().driven),
+          meanPush_(meanPush / given_.amplitude),
+          driftRate_(open.driftRate(contact)),
+          undamped_(given_.network.bars.size(), 0.0)
     {
+        std::vector<double> forces = forcesOf(given_.network);
+        for (double& force : forces) {
+            force /= given_.amplitude;
+        }
+        double count = 0.0;
+        forEachSide(given_.network.contacts[contact], [&](std::size_t node, int sign) {
+            forces[node] += sign * meanPush_;
+            const std::size_t bar = given_.network.nodes[node].bar;
+            if (given_.network.bars[bar].drifts() && open.dashpotsOf(bar) == 0.0) {
+                undamped_[bar] = sign;
+                count += 1.0;
+            }
+        });
+        isUndamped_ = count > 0.0;
+        for (double& way : undamped_) {
+            way /= std::max(count, 1.0);
+        }
+        const std::vector<double> none(given_.network.nodes.size(), 0.0);
+        even_ = open.evenWaves(open.shapeUnder(forces), none);
+        const OpenNetwork::Vector still1 = open.arrivingStill(contact);
+        for (std::size_t channel = 0; channel < even_.size(); ++channel) {
+            even_[channel] -= meanPush_ * still1[static_cast<Eigen::Index>(channel)].real();
+        }
+        undampedWaves_ = open.evenWaves(none, undamped_);
     }
 
     void run()
     {
         GrowingContact growing(answers_.period());
-        HeldSteps before{{}, 0.0, drivenRate_};
+        ContactPeriod period = answers_.period();
+        period.cycles = 0;
+        period.contacts.front().driven = 1.0;
+        period.usual = 1.0;
+        GrowingContact resting(period);
+        std::optional<HeldSteps> before = heldBy(growing, resting);
         while (growing.contact() + 1 < given_.steps) {
             growing.grow();
-            HeldSteps held = heldBy(growing);
-            addSmooth(growing.contact() - 1, held, before);
-            addPinned(growing.contact(), held);
+            if (isDrifting()) {
+                resting.grow();
+            }
+            std::optional<HeldSteps> held = heldBy(growing, resting);
+            if (held && before) {
+                addSmooth(growing.contact() - 1, *held, *before);
+            }
+            if (held) {
+                addPinned(growing.contact(), *held);
+            }
             before = std::move(held);
         }
     }
 
 private:
-    static HeldSteps heldBy(const GrowingContact& growing)
+    [[nodiscard]] bool isDrifting() const { return driftRate_ > 0.0; }
+
+    /// None if a bar without dashpots would lose momentum.
+    [[nodiscard]] std::optional<HeldSteps> heldBy(const GrowingContact& growing,
+                                                  const GrowingContact& resting) const
     {
         const auto complex = [](Plane plane) { return Complex(plane.c, plane.s); };
-        HeldSteps held{{}, complex(growing.opened()), -complex(growing.speed(growing.contact()))};
+        HeldSteps held{{},
+                       SteadyHarmonic(-place(), complex(growing.opened())),
+                       SteadyHarmonic(0.0, -complex(growing.speed(growing.contact())))};
+        Complex sum = 0.0;
         for (std::int64_t i = 0; i < growing.contact(); ++i) {
-            held.pushes.push_back(complex(growing.push(i)));
+            held.pushes.emplace_back(0.0, complex(growing.push(i)));
+            sum += complex(growing.push(i));
         }
+        return isDrifting() ? drifting(std::move(held), sum, resting) : std::optional(held);
+    }
+
+    /// With pushes beside that open the contact at a steady rate -V: `resting` has those for 1.
+    [[nodiscard]] std::optional<HeldSteps> drifting(HeldSteps held, Complex sum,
+                                                    const GrowingContact& resting) const
+    {
+        const auto steps = static_cast<double>(given_.steps);
+        double resisted = 0.0;
+        for (std::int64_t i = 0; i < resting.contact(); ++i) {
+            resisted += resting.push(i).c;
+        }
+        if (isUndamped_ && resisted == 0.0) {
+            return std::nullopt;
+        }
+        const SteadyHarmonic speed =
+            isUndamped_ ? SteadyHarmonic(-steps * meanPush_ / resisted, sum / resisted)
+                        : SteadyHarmonic(-driftRate_ * meanPush_);
+        for (std::size_t i = 0; i < held.pushes.size(); ++i) {
+            const double push = resting.push(static_cast<std::int64_t>(i)).c;
+            held.pushes[i] = held.pushes[i] - push * speed;
+        }
+        held.left = speed + (driftRate_ / steps) * (SteadyHarmonic(0.0, sum) - resisted * speed);
+        held.next = held.next + resting.speed(resting.contact()).c * speed;
         return held;
     }
 
+    /// What the drive makes of the distance, or of its mean rate.
+    [[nodiscard]] Complex startRate() const { return isDrifting() ? 0.0 : drivenRate_; }
     /// 1/(i omega).
     [[nodiscard]] Complex integrate() const { return Complex(0.0, -1.0) / given_.omega(); }
     /// The gap for |A| = 1: what is left of it is to be 0 at the start.
@@ -105,25 +197,35 @@ private:
     void addSmooth(std::int64_t j, const HeldSteps& early, const HeldSteps& late)
     {
         const ReleaseCell cell{
-            (drivenRate_ + given_.turn(1) * late.displaced - early.displaced) * integrate(),
-            (early.displaced - late.displaced) * integrate(), early.pushes.back(), place(),
-            given_.omega()};
-        forEachSmoothRelease(cell, [&](double part, Complex unit) {
+            (startRate() + given_.turn(1) * late.left.swing - early.left.swing) * integrate(),
+            (early.left.swing - late.left.swing) * integrate(),
+            early.pushes.back().swing,
+            -late.left.steady,
+            given_.omega(),
+            late.left.steady - early.left.steady,
+            early.pushes.back().steady};
+        const auto visit = [&](double part, Complex unit) {
             if (part > 0.0 && part < 1.0) {
                 add(static_cast<double>(j) + part, unit, early, late, false);
             }
-        });
+        };
+        if (isDrifting()) {
+            forEachLoadedRelease(cell, visit);
+        } else {
+            forEachSmoothRelease(cell, visit);
+        }
     }
 
     /// tau = j, where a front ends the contact.
     void addPinned(std::int64_t j, const HeldSteps& held)
     {
-        const Complex gap = (drivenRate_ + (given_.turn(1) - 1.0) * held.displaced) * integrate();
-        const double near = harmonicTolerance * (lengthOf(held.next) + lengthOf(drivenRate_));
+        const Complex gap = (startRate() + (given_.turn(1) - 1.0) * held.left.swing) * integrate();
+        const double near = harmonicTolerance * (std::abs(held.next.steady) +
+                                                 lengthOf(held.next.swing) + lengthOf(drivenRate_));
         const double nearPush = harmonicTolerance * (held.largestPush() + lengthOf(drivenRate_));
-        forEachPinnedRelease(gap, place(), [&](Complex unit) {
-            if ((held.pushes.back() * given_.turn(1) * unit).real() >= -nearPush &&
-                (held.next * unit).real() >= -near) {
+        forEachPinnedRelease(gap, -held.left.steady, [&](Complex unit) {
+            if (atStart(held.pushes.back(), given_.turn(1) * unit) >= -nearPush &&
+                atStart(held.next, unit) >= -near) {
                 add(static_cast<double>(j), unit, held, held, true);
             }
         });
@@ -146,11 +248,12 @@ private:
         if (isKnown || !pushesAll(unit, early)) {
             return;
         }
-        motion.late = wavesOf(late.pushes, given_.amplitude * unit);
-        motion.early = isPinned ? motion.late : wavesOf(early.pushes, given_.amplitude * unit);
+        motion.late = wavesOf(late, unit);
+        motion.early = isPinned ? motion.late : wavesOf(early, unit);
         measure(given_, motion);
-        const double force = 2.0 * largestOf(given_.network.rows, &CellRow::impedance) *
-                             largestOf(motion.late, [](Complex wave) { return lengthOf(wave); });
+        const double force =
+            2.0 * largestOf(given_.network.rows, &CellRow::impedance) *
+            largestOf(motion.late, [](const SteadyHarmonic& wave) { return lengthOf(wave.swing); });
         if (motion.residual <= harmonicTolerance && motion.peakForce > harmonicTolerance * force) {
             found_.push_back(std::move(motion));
         }
@@ -160,33 +263,80 @@ private:
     [[nodiscard]] bool pushesAll(Complex unit, const HeldSteps& held) const
     {
         const double near = 1e-6 * (held.largestPush() + lengthOf(drivenRate_));
-        return std::all_of(held.pushes.begin(), held.pushes.end(),
-                           [&](Complex push) { return (push * unit).real() >= -near; });
+        return std::all_of(held.pushes.begin(), held.pushes.end(), [&](const SteadyHarmonic& push) {
+            return atStart(push, unit) >= -near;
+        });
     }
 
     /// All waves at t = 0.
-    [[nodiscard]] std::vector<Complex> wavesOf(const std::vector<Complex>& pushes,
-                                               Complex excitation) const
+    [[nodiscard]] std::vector<SteadyHarmonic> wavesOf(const HeldSteps& held, Complex unit) const
     {
-        std::vector<Complex> waves = answers_.wavesOf(pushes);
-        for (Complex& wave : waves) {
-            wave *= excitation;
+        const auto excited = [&](const SteadyHarmonic& value) {
+            return SteadyHarmonic(given_.amplitude * value.steady,
+                                  given_.amplitude * unit * value.swing);
+        };
+        std::vector<SteadyHarmonic> even;
+        for (std::size_t channel = 0; channel < even_.size(); ++channel) {
+            even.push_back(
+                excited(SteadyHarmonic(even_[channel]) + undampedWaves_[channel] * held.left));
         }
-        return waves;
+        std::vector<SteadyHarmonic> pushes;
+        for (const SteadyHarmonic& push : held.pushes) {
+            pushes.push_back(excited(push));
+        }
+        return answers_.wavesOf(given_.amplitude * unit, pushes, even);
     }
 
     const HarmonicNetwork& given_;
     std::size_t contact_;
     std::vector<NetworkHarmonicMotion>& found_;
     ContactAnswers answers_;
-    Complex drivenRate_;  ///< Y
+    Complex drivenRate_;            ///< Y
+    double meanPush_;               ///< p
+    double driftRate_;              ///< sum of 1/D
+    std::vector<double> undamped_;  ///< speeds of bars without dashpots as the distance grows by 1
+    bool isUndamped_ = false;
+    std::vector<double> even_;  ///< by channel: what pushes of p in all steps leave of forces
+    std::vector<double> undampedWaves_;
 };
 
 }  // namespace
 
-std::vector<double> openDistances(const HarmonicNetwork& given)
+std::optional<double> meanPushOf(const Network& network, std::size_t contact)
 {
-    const HarmonicNetwork still = stillOf(given).given;
+    constexpr double rounding = 1e-12;
+    const std::vector<std::size_t> bars = driftingBars(network);
+    std::vector<double> forces(bars.size(), 0.0);
+    double size = 0.0;
+    for (const NetworkNode& node : network.nodes) {
+        const auto bar = std::find(bars.begin(), bars.end(), node.bar);
+        if (bar != bars.end()) {
+            forces[static_cast<std::size_t>(bar - bars.begin())] += node.force;
+            size += std::abs(node.force);
+        }
+    }
+    std::optional<double> push;
+    for (const auto& [bar, sign] : driftsOf(network, contact)) {
+        const double needed = -sign * forces[static_cast<std::size_t>(bar)];
+        if (!(needed > rounding * size) ||
+            (push && !(std::abs(needed - *push) <= rounding * size))) {
+            return std::nullopt;
+        }
+        push = needed;
+        forces[static_cast<std::size_t>(bar)] = 0.0;
+    }
+    return largestSizeOf(forces) > rounding * size ? std::nullopt
+                                                   : std::optional(push.value_or(0.0));
+}
+
+std::optional<std::vector<double>> openDistances(const HarmonicNetwork& given)
+{
+    const StillCase moved = stillOf(given);
+    const std::vector<double> forces = forcesOf(moved.given.network);
+    if (largestSizeOf(forces) > 0.0) {
+        return std::nullopt;
+    }
+    const HarmonicNetwork& still = moved.given;
     const OpenNetwork open(still);
     const OpenNetwork::Vector driven = open.arriving(given.cycles, open.sentByDrive());
     std::vector<double> distances;
@@ -200,15 +350,17 @@ std::vector<double> openDistances(const HarmonicNetwork& given)
 
 std::vector<NetworkHarmonicMotion> harmonicContacts(const HarmonicNetwork& given)
 {
-    const auto [still, displaced] = stillOf(given);
-    const OpenNetwork open(still);
+    const StillCase still = stillOf(given);
+    const OpenNetwork open(still.unforced);
     std::vector<NetworkHarmonicMotion> found;
-    for (std::size_t contact = 0; contact < still.network.contacts.size(); ++contact) {
-        NetworkContactSearch(still, open, contact, found).run();
+    for (std::size_t contact = 0; contact < given.network.contacts.size(); ++contact) {
+        if (const auto push = meanPushOf(still.given.network, contact)) {
+            NetworkContactSearch(still, open, contact, *push, found).run();
+        }
     }
     for (NetworkHarmonicMotion& motion : found) {
-        measureStrains(still, displaced, motion);
-        motion.growth = growthOf(still, motion);
+        measureStrains(still.given, still.displaced, motion);
+        motion.growth = growthOf(still.given, motion);
     }
     std::sort(found.begin(), found.end(),
               [](const auto& x, const auto& y) { return x.impulse < y.impulse; });

@@ -1,7 +1,8 @@
 #pragma once
 /// \file
 /// All motions with one contact in a period of a network under an exact harmonic, where dashpots
-/// damp all its waves; computed in doubles, so an empty list is no proof.
+/// damp all its waves; computed in doubles, so an empty list is no proof, but where momentum says
+/// so.
 ///
 /// A network answers a push of a step at contact k with rates g_m of its distance, and a harmonic
 /// with the rate Y: in contact pushes Q_i, the same harmonics in all steps, keep it closed,
@@ -13,6 +14,7 @@
 /// (harmonic_release.hpp): four candidates with a smooth one for each j, two with a pinned one.
 /// docs/theory.md, section 21.
 
+#include <optional>
 #include <vector>
 
 #include "harmonic_network.hpp"
@@ -22,14 +24,23 @@ namespace signorini {
 /// Longest period, in steps.
 inline constexpr std::int64_t maxHarmonicSteps = 2'000;
 
+/// Under constant forces on bars that drift each step has a constant push beside the harmonic one,
+/// and the mean rate of the distance is 0 in place of the distance at the start.
+///
 /// The motions by ascending impulse, measured; residuals are at most `harmonicTolerance`. Every
 /// contact in turn is the one that closes. O(n^2) and, for each frequency, channels^3; O(n^2) for
 /// each candidate. \throws std::invalid_argument unless n is in 2..maxHarmonicSteps and K
-/// in 1..n/2, something is driven and damped, and all bars are held; Resonance.
+/// in 1..n/2, something is driven and damped; Resonance.
 [[nodiscard]] std::vector<NetworkHarmonicMotion> harmonicContacts(const HarmonicNetwork& given);
 
-/// What is left at least of the distance of each contact while none closes; below 0 one would.
-/// O(channels^3). \throws as `harmonicContacts`.
-[[nodiscard]] std::vector<double> openDistances(const HarmonicNetwork& given);
+/// The mean push of a contact in a period in which no other one presses: what constant forces on
+/// the bars that drift ask for, 0 if none of them is at it. None: no push gives them back their
+/// momentum. O(nodes).
+[[nodiscard]] std::optional<double> meanPushOf(const Network& network, std::size_t contact);
+
+/// What is left at least of the distance of each contact while none closes; below 0 one would. Bars
+/// that drift swing about their places in the scene; none where forces pull at them. O(channels^3).
+/// \throws as `harmonicContacts`.
+[[nodiscard]] std::optional<std::vector<double>> openDistances(const HarmonicNetwork& given);
 
 }  // namespace signorini

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <random>
 
+#include "contact_spans.hpp"
 #include "harmonic_motion.hpp"
 #include "largest.hpp"
 #include "late_contacts.hpp"
@@ -17,14 +19,22 @@ using Complex = std::complex<double>;
 
 constexpr int watchedPeriods = 401;  // in which waves between fronts fade
 
+/// Waves that last so short, and how far they have moved the first nodes of bars that drift.
+struct Front {
+    NetworkWaves<double> waves;
+    std::vector<double> drifts;
+};
+
 class NetworkFronts {
 public:
     NetworkFronts(const HarmonicNetwork& given, const NetworkHarmonicMotion& motion)
         : given_(given),
           motion_(motion),
+          unforced_(withoutForces(given.network)),
           contact_(given.network.contacts[motion.contact]),
-          open_(given.network, 0),
-          closed_(given.network, ContactSet{1} << motion.contact),
+          bars_(driftingBars(given.network)),
+          open_(unforced_, 0),
+          closed_(unforced_, ContactSet{1} << motion.contact),
           held_(static_cast<std::int64_t>(std::floor(motion.release)))
     {
         const Complex drive = given.amplitude * turned(-motion.phase);
@@ -38,16 +48,20 @@ public:
     {
         bool isMet = false;
         std::vector<double> weights{1.0};
-        std::vector<double> front = front_;
+        Front front{{unforced_, front_}, drifts_};
         bool isNewest = motion_.isPinned;
-        const double whole = sizeOf(front);
+        const double whole = sizeOf(front_);
         const double unit = distanceBy(front);
-        while (sizeOf(front) > faded * whole) {
+        double last = 1.0;
+        while (sizeOf(front.waves.waves()) > faded * whole) {
             if (weights.size() == mostTerms) {
                 return {std::nullopt};
             }
-            front = aPeriodLater(std::move(front), orders, isNewest, isMet);
-            weights.push_back(distanceBy(front) / unit);
+            aPeriodLater(front, orders, isNewest, isMet);
+            const double weight = distanceBy(front) / unit;
+            // What stays of a bar's place does so in all later periods: their differences count.
+            weights.push_back(bars_.empty() ? weight : weight - last);
+            last = weight;
         }
         return {growthOfLate(weights, weights.size(), 1), isMet};
     }
@@ -66,9 +80,10 @@ private:
     static double sizeOf(const std::vector<double>& waves) { return largestSizeOf(waves); }
 
     /// The distance of the contact with waves that nothing else moves.
-    [[nodiscard]] double distanceBy(const std::vector<double>& waves) const
+    [[nodiscard]] double distanceBy(const Front& front) const
     {
-        const std::vector<double> places = displacementsOf(given_.network, waves, {});
+        const std::vector<double> places =
+            displacementsOf(unforced_, front.waves.waves(), front.drifts);
         return openingOf(contact_, [&](std::size_t node) { return places[node]; });
     }
 
@@ -77,49 +92,69 @@ private:
     {
         std::vector<double> waves(motion_.early.size());
         std::transform(motion_.early.begin(), motion_.early.end(), waves.begin(),
-                       [](Complex wave) { return wave.real(); });
+                       [](const SteadyHarmonic& wave) { return wave.steady + wave.swing.real(); });
         const HarmonicNetwork::Drive now = given_.drive(drive);
-        const auto sent = [&](const NetworkLaw<double>& law) {
-            NetworkWaves<double> moving(given_.network, waves);
-            moving.step(law, now.force.real(), now.base.real());
-            return moving.waves();
+        const auto sent = [&](ContactSet closed) {
+            const NetworkLaw<double> law(given_.network, closed);
+            Front front{{given_.network, waves}, std::vector<double>(bars_.size(), 0.0)};
+            step(front, law, now.force.real(), now.base.real());
+            return front;
         };
-        front_ = sent(open_);
-        const std::vector<double> closed = sent(closed_);
-        for (std::size_t i = 0; i < front_.size(); ++i) {
-            front_[i] -= closed[i];
+        const Front open = sent(0);
+        const Front closed = sent(ContactSet{1} << motion_.contact);
+        const auto without = [](std::vector<double> all, const std::vector<double>& part) {
+            std::transform(all.begin(), all.end(), part.begin(), all.begin(), std::minus<>());
+            return all;
+        };
+        front_ = without(open.waves.waves(), closed.waves.waves());
+        drifts_ = without(open.drifts, closed.drifts);
+    }
+
+    void step(Front& front, const NetworkLaw<double>& law, double force = 0.0,
+              double base = 0.0) const
+    {
+        for (std::size_t k = 0; k < bars_.size(); ++k) {
+            const std::size_t node = given_.network.bars[bars_[k]].firstNode;
+            front.drifts[k] += law.velocity(node).at(front.waves.arriving(), force, base);
         }
+        front.waves.step(law, force, base);
     }
 
     /// The pushes before and after the front that ends the contact.
     void findPushes(Complex drive)
     {
-        const NetworkLaw<Complex> closed(given_.network, ContactSet{1} << motion_.contact);
-        NetworkWaves<Complex> waves(given_.network, motion_.late);
+        const NetworkLaw<SteadyHarmonic> closed(given_.network, ContactSet{1} << motion_.contact);
+        NetworkWaves<SteadyHarmonic> waves(given_.network, motion_.late);
         for (std::int64_t m = 0;; ++m) {
-            const auto [force, base] = given_.drive(drive * given_.turn(m));
-            const Complex push = closed.push(motion_.contact).at(waves.arriving(), force, base);
+            const HarmonicNetwork::Drive now = given_.drive(drive * given_.turn(m));
+            const SteadyHarmonic force(0.0, now.force);
+            const SteadyHarmonic base(0.0, now.base);
+            const SteadyHarmonic push =
+                closed.push(motion_.contact).at(waves.arriving(), force, base);
             if (m == held_) {
-                pushAfter_ = push.real();
+                pushAfter_ = push.steady + push.swing.real();
                 return;
             }
-            pushBefore_ = (push * given_.turn(1)).real();
+            pushBefore_ = push.steady + (push.swing * given_.turn(1)).real();
             waves.step(closed, force, base);
         }
     }
 
     /// One step in which a part meets the closed network.
-    void stepBoth(NetworkWaves<double>& waves, double closedPart) const
+    void stepBoth(Front& front, double closedPart) const
     {
-        NetworkWaves<double> other = waves;
-        waves.step(closed_, 0.0, 0.0);
-        other.step(open_, 0.0, 0.0);
-        std::vector<double> both = waves.waves();
-        const std::vector<double> open = other.waves();
-        for (std::size_t i = 0; i < both.size(); ++i) {
-            both[i] = closedPart * both[i] + (1.0 - closedPart) * open[i];
-        }
-        waves = NetworkWaves<double>(given_.network, std::move(both));
+        Front open = front;
+        step(front, closed_);
+        step(open, open_);
+        const auto mixed = [closedPart](std::vector<double> both,
+                                        const std::vector<double>& other) {
+            for (std::size_t i = 0; i < both.size(); ++i) {
+                both[i] = closedPart * both[i] + (1.0 - closedPart) * other[i];
+            }
+            return both;
+        };
+        front = {{unforced_, mixed(front.waves.waves(), open.waves.waves())},
+                 mixed(front.drifts, open.drifts)};
     }
 
     /// q_-/(q_- + |q_+|) where the newest front arrives, which has this push for each unit of time.
@@ -133,28 +168,25 @@ private:
     /// From just after the beginning of contact to the next. `isNewest` until this front, the
     /// newest of all, has been at the end of a contact. `isMet` once it comes just as contact
     /// begins.
-    [[nodiscard]] std::vector<double> aPeriodLater(std::vector<double> front,
-                                                   const FrontOrders& orders, bool& isNewest,
-                                                   bool& isMet) const
+    void aPeriodLater(Front& front, const FrontOrders& orders, bool& isNewest, bool& isMet) const
     {
-        NetworkWaves<double> waves(given_.network, std::move(front));
         for (std::int64_t m = 1; m < given_.steps; ++m) {
             if (m != held_ || !motion_.isPinned) {
-                waves.step(m <= held_ ? closed_ : open_, 0.0, 0.0);
+                step(front, m <= held_ ? closed_ : open_);
                 continue;
             }
-            const double push = closed_.push(motion_.contact).at(waves.arriving(), 0.0, 0.0);
+            const double push = closed_.push(motion_.contact).at(front.waves.arriving(), 0.0, 0.0);
             const double near = 1e-9 * std::abs(pushBefore_ - pushAfter_);
             if (isNewest && std::abs(push) > near) {
-                stepBoth(waves, closedPart(push, orders.isLateAtRelease));
+                stepBoth(front, closedPart(push, orders.isLateAtRelease));
                 isNewest = false;
             } else {
-                waves.step(orders.isLateAtRelease ? open_ : closed_, 0.0, 0.0);
+                step(front, orders.isLateAtRelease ? open_ : closed_);
             }
         }
-        isMet = isMet || closed_.push(motion_.contact).at(waves.arriving(), 0.0, 0.0) != 0.0;
-        waves.step(orders.isLateAtContact ? closed_ : open_, 0.0, 0.0);
-        return waves.waves();
+        const double push = closed_.push(motion_.contact).at(front.waves.arriving(), 0.0, 0.0);
+        isMet = isMet || push != 0.0;
+        step(front, orders.isLateAtContact ? closed_ : open_);
     }
 
     /// Growth in the second half of many periods of so many steps of contact.
@@ -168,7 +200,7 @@ private:
         double slope = 0.0;  // of it, by least squares over the second half
         double spread = 0.0;
         for (int k = 0; k < watchedPeriods; ++k) {
-            NetworkWaves<double> waves(given_.network, std::move(start));
+            NetworkWaves<double> waves(unforced_, std::move(start));
             for (std::int64_t m = 0; m < given_.steps; ++m) {
                 waves.step(m < held ? closed_ : open_, 0.0, 0.0);
             }
@@ -192,11 +224,14 @@ private:
 
     const HarmonicNetwork& given_;
     const NetworkHarmonicMotion& motion_;
+    Network unforced_;
     const NetworkContact& contact_;
+    std::vector<std::size_t> bars_;  ///< that drift
     NetworkLaw<double> open_;
     NetworkLaw<double> closed_;
     std::int64_t held_;          ///< j
     std::vector<double> front_;  ///< after the step in which contact begins
+    std::vector<double> drifts_;
     double pushBefore_ = 0.0;
     double pushAfter_ = 0.0;
 };
@@ -205,6 +240,10 @@ private:
 
 std::optional<double> growthOf(const HarmonicNetwork& given, const NetworkHarmonicMotion& motion)
 {
+    const std::size_t drifting = driftingBars(given.network).size();
+    if (drifting > 0 && (drifting > 1 || driftsOf(given.network, motion.contact).empty())) {
+        return std::nullopt;  // a bar without contact never comes back to its place
+    }
     const NetworkFronts fronts(given, motion);
     const std::optional<double> growth = growthOfOrders(
         motion.isPinned, [&](const FrontOrders& orders) { return fronts.growth(orders); });

@@ -23,10 +23,11 @@
 namespace signorini {
 
 /// The largest growth, that of waves between fronts included: the network stays near the motion if
-/// it is below 1. None where the orders differ by more than 2e-3, or fronts fade too slowly. Where
+/// it is below 1. None where the orders differ by more than 2e-3, fronts fade too slowly, or a bar
+/// drifts that does not press, or two. Where
 /// it is below 1 and waves between fronts fade as slowly it is known to a hundredth only. \pre a
-/// motion of this network, without constant forces. O(n nodes) for each period in which a front is
-/// there, and O(waves).
+/// motion of this network, whose constant forces are on bars that drift. O(n nodes) for each period
+/// in which a front is there, and O(waves).
 [[nodiscard]] std::optional<double> growthOf(const HarmonicNetwork& given,
                                              const NetworkHarmonicMotion& motion);
 

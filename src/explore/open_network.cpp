@@ -89,17 +89,16 @@ OpenNetwork::Vector OpenNetwork::arriving(std::int64_t k, const Vector& sent,
     return waves;
 }
 
-std::vector<double> OpenNetwork::shapeUnderPush(std::size_t contact) const
+std::vector<double> OpenNetwork::shapeUnder(const std::vector<double>& forces) const
 {
     Network shape = network_;
-    std::vector<double> forces(shape.nodes.size(), 0.0);
     for (NetworkNode& node : shape.nodes) {
         node.rest = 0.0;
     }
-    forEachSide(network_.contacts[contact],
-                [&](std::size_t node, int sign) { forces[node] = sign; });
     for (std::size_t bar = 0; bar < shape.bars.size(); ++bar) {
-        addShapeUnder(shape, bar, forces, std::nullopt);
+        const NetworkBar& one = shape.bars[bar];
+        addShapeUnder(shape, bar, forces,
+                      one.drifts() ? std::optional(one.firstNode) : std::nullopt);
     }
     std::vector<double> displacements;
     for (const NetworkNode& node : shape.nodes) {
@@ -108,9 +107,66 @@ std::vector<double> OpenNetwork::shapeUnderPush(std::size_t contact) const
     return displacements;
 }
 
+double OpenNetwork::dashpotsOf(std::size_t bar) const
+{
+    double sum = 0.0;
+    for (const NetworkNode& node : network_.nodes) {
+        sum += node.bar == bar ? node.dashpot : 0.0;
+    }
+    return sum;
+}
+
+std::vector<double> OpenNetwork::speedsUnderPush(std::size_t contact) const
+{
+    std::vector<double> speeds(network_.bars.size(), 0.0);
+    forEachSide(network_.contacts[contact], [&](std::size_t node, int sign) {
+        const std::size_t bar = network_.nodes[node].bar;
+        const double dashpots = dashpotsOf(bar);
+        if (network_.bars[bar].drifts() && dashpots > 0.0) {
+            speeds[bar] = sign / dashpots;
+        }
+    });
+    return speeds;
+}
+
+double OpenNetwork::driftRate(std::size_t contact) const
+{
+    double sum = 0.0;
+    forEachSide(network_.contacts[contact], [&](std::size_t node, int) {
+        const std::size_t bar = network_.nodes[node].bar;
+        const double dashpots = dashpotsOf(bar);
+        if (network_.bars[bar].drifts()) {
+            sum += dashpots > 0.0 ? 1.0 / dashpots : 1.0;
+        }
+    });
+    return sum;
+}
+
+std::vector<double> OpenNetwork::shapeUnderPush(std::size_t contact) const
+{
+    const std::vector<double> speeds = speedsUnderPush(contact);
+    std::vector<double> forces;
+    for (const NetworkNode& node : network_.nodes) {
+        forces.push_back(-node.dashpot * speeds[node.bar]);
+    }
+    forEachSide(network_.contacts[contact],
+                [&](std::size_t node, int sign) { forces[node] += sign; });
+    return shapeUnder(forces);
+}
+
+std::vector<double> OpenNetwork::evenWaves(std::span<const double> displacements,
+                                           std::span<const double> speeds) const
+{
+    std::vector<double> waves = stretchedWaves(network_, displacements);
+    for (std::size_t channel = 0; channel < waves.size(); ++channel) {
+        waves[channel] += 0.5 * speeds[network_.nodes[network_.nodeOf(channel)].bar];
+    }
+    return waves;
+}
+
 OpenNetwork::Vector OpenNetwork::arrivingStill(std::size_t contact) const
 {
-    const std::vector<double> waves = stretchedWaves(network_, shapeUnderPush(contact));
+    const std::vector<double> waves = evenWaves(shapeUnderPush(contact), speedsUnderPush(contact));
     return Eigen::Map<const Eigen::VectorXd>(waves.data(), channels()).cast<Complex>();
 }
 

@@ -48,8 +48,20 @@ public:
     [[nodiscard]] Vector arriving(std::int64_t k, const Vector& sent,
                                   Undamped undamped = Undamped::leftOut) const;
     /// The same where a constant push of 1 holds the network still: of a bar that is held twice
-    /// waves of frequency 0 do not tell how far it is stretched.
+    /// waves of frequency 0 do not tell how far it is stretched. A bar that drifts goes as fast as
+    /// its dashpots say.
     [[nodiscard]] Vector arrivingStill(std::size_t contact) const;
+    /// At which that push widens its own contact: 1/D of each side that drifts. Of bars without
+    /// dashpots, on which no mean push is left, D is 1.
+    [[nodiscard]] double driftRate(std::size_t contact) const;
+    /// Waves of one that stand on these displacements of the nodes, and of bars that go with such
+    /// speeds, by channel.
+    [[nodiscard]] std::vector<double> evenWaves(std::span<const double> displacements,
+                                                std::span<const double> speeds) const;
+    /// Of nodes, under forces that have no resultant on bars that drift, whose first nodes stay.
+    [[nodiscard]] std::vector<double> shapeUnder(const std::vector<double>& forces) const;
+    /// Dashpots of a bar.
+    [[nodiscard]] double dashpotsOf(std::size_t bar) const;
     /// The rate of a contact's distance, when this arrives while a contact pushes with 1.
     [[nodiscard]] Complex rateByPush(std::size_t contact, const Vector& arriving,
                                      std::size_t pushing) const;
@@ -66,8 +78,11 @@ private:
     }
     [[nodiscard]] double impedance(std::size_t node) const;
     [[nodiscard]] Complex rate(std::size_t contact, const Vector& arriving) const;
-    /// Its nodes displaced by a constant push of 1 at a contact.
+    /// Its nodes displaced by a constant push of 1 at a contact, and by dashpots of bars that it
+    /// sets in motion.
     [[nodiscard]] std::vector<double> shapeUnderPush(std::size_t contact) const;
+    /// Speeds of these, by bar.
+    [[nodiscard]] std::vector<double> speedsUnderPush(std::size_t contact) const;
 
     const HarmonicNetwork& given_;
     const Network& network_;

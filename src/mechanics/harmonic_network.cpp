@@ -65,13 +65,9 @@ StillNetwork displaced(const Network& network, const std::vector<double>& forces
         const NetworkBar& one = network.bars[bar];
         const auto first = forces.begin() + static_cast<std::ptrdiff_t>(one.firstNode);
         const auto last = forces.begin() + static_cast<std::ptrdiff_t>(one.lastNode) + 1;
-        if (std::all_of(first, last, [](double force) { return force == 0.0; })) {
-            continue;
+        if (!one.drifts() && std::any_of(first, last, [](double force) { return force != 0.0; })) {
+            addShapeUnder(shape, bar, forces, std::nullopt);
         }
-        if (one.drifts()) {
-            throw std::invalid_argument("a constant force on a bar that nothing holds");
-        }
-        addShapeUnder(shape, bar, forces, std::nullopt);
     }
     for (std::size_t node = 0; node < network.nodes.size(); ++node) {
         still.displacements.push_back(network.nodes[node].isShaken
@@ -99,7 +95,7 @@ StillNetwork underConstantForces(const Network& network)
     }
     StillNetwork still = displaced(network, forces, 0.0);
     for (NetworkNode& node : still.network.nodes) {
-        node.force = 0.0;
+        node.force = network.bars[node.bar].drifts() ? node.force : 0.0;
     }
     return still;
 }

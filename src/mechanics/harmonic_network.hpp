@@ -5,7 +5,7 @@
 /// Units of the network: a step is 1. The period is n steps and K cycles. Contact is [0, tau), tau
 /// = j + sigma, so at the times m + s, m = 0, 1, ..., the waves of one s follow the law (N) with j
 /// + 1 steps of contact if s < sigma, "early", and with j if not, "late". On either part each wave
-/// is one harmonic, Re(z e^{i omega s}), s from the beginning of the step: a vector z says all.
+/// is a constant and one harmonic of s: a vector of both says all.
 /// docs/theory.md, section 21.
 
 #include <complex>
@@ -25,9 +25,45 @@ class Resonance : public std::invalid_argument {
     using std::invalid_argument::invalid_argument;
 };
 
+/// steady + Re(swing e^{i omega s}); as a number of the law (N), whose coefficients are steady.
+struct SteadyHarmonic {
+    double steady = 0.0;
+    std::complex<double> swing = 0.0;
+
+    SteadyHarmonic() = default;
+    explicit SteadyHarmonic(double constant, std::complex<double> harmonic = 0.0)
+        : steady(constant), swing(harmonic)
+    {
+    }
+
+    friend SteadyHarmonic operator+(const SteadyHarmonic& x, const SteadyHarmonic& y)
+    {
+        return SteadyHarmonic(x.steady + y.steady, x.swing + y.swing);
+    }
+    friend SteadyHarmonic operator-(const SteadyHarmonic& x, const SteadyHarmonic& y)
+    {
+        return SteadyHarmonic(x.steady - y.steady, x.swing - y.swing);
+    }
+    friend SteadyHarmonic operator-(const SteadyHarmonic& x) { return SteadyHarmonic() - x; }
+    friend SteadyHarmonic operator*(double factor, const SteadyHarmonic& x)
+    {
+        return SteadyHarmonic(factor * x.steady, factor * x.swing);
+    }
+    /// \pre one of them is steady.
+    friend SteadyHarmonic operator*(const SteadyHarmonic& x, const SteadyHarmonic& y)
+    {
+        return SteadyHarmonic(x.steady * y.steady, x.steady * y.swing + y.steady * x.swing);
+    }
+    /// \pre y is steady.
+    friend SteadyHarmonic operator/(const SteadyHarmonic& x, const SteadyHarmonic& y)
+    {
+        return SteadyHarmonic(x.steady / y.steady, x.swing / y.steady);
+    }
+};
+
 /// A network and what drives it: its driven nodes, or its shaken clamps.
 struct HarmonicNetwork {
-    Network network;  ///< without constant forces: gaps are those under them
+    Network network;  ///< constant forces on bars that drift only: gaps are those under others
     Excited place = Excited::tip;
     double amplitude = 1.0;   ///< |A|, of the force, or of the displacement of the base
     std::int64_t steps = 0;   ///< n
@@ -50,12 +86,12 @@ void requireAsked(const HarmonicNetwork& given, std::int64_t mostSteps);
 
 /// One motion; t = 0 is where contact begins.
 struct NetworkHarmonicMotion {
-    std::size_t contact = 0;                  ///< the one that closes
-    double phase = 0.0;                       ///< [rad], of |A| cos(omega t - phase)
-    double release = 0.0;                     ///< tau
-    bool isPinned = false;                    ///< is it a front that ends it?
-    std::vector<std::complex<double>> early;  ///< waves at t = 0 in the order of Network::waves
-    std::vector<std::complex<double>> late;
+    std::size_t contact = 0;            ///< the one that closes
+    double phase = 0.0;                 ///< [rad], of |A| cos(omega t - phase)
+    double release = 0.0;               ///< tau
+    bool isPinned = false;              ///< is it a front that ends it?
+    std::vector<SteadyHarmonic> early;  ///< waves at t = 0 in the order of Network::waves
+    std::vector<SteadyHarmonic> late;
     double impulse = 0.0;  ///< what follows is measured
     double peakForce = 0.0;
     double speed = 0.0;  ///< with which the contact closes
@@ -69,15 +105,15 @@ struct NetworkHarmonicMotion {
     std::optional<double> growth = {};
 };
 
-/// A network that constant forces have displaced, and what moves on from there.
+/// A network that constant forces have displaced, and what moves on from there. Forces on bars that
+/// drift, which displace them for ever, are still there.
 struct StillNetwork {
-    Network network;                    ///< without the forces, gaps under them
+    Network network;                    ///< without the others, gaps under them
     std::vector<double> displacements;  ///< of the nodes, by the forces
 
     /// Adds them, and the waves that go with them, to a state that moves about them. O(waves).
     void addShape(NetworkStart& moved) const;
 };
-/// \throws std::invalid_argument if they pull at a bar that nothing holds.
 [[nodiscard]] StillNetwork underConstantForces(const Network& network);
 /// The same by a base, all shaken clamps, that stands elsewhere [delta]; forces stay.
 [[nodiscard]] StillNetwork underMovedBase(const Network& network, double base);

@@ -40,16 +40,18 @@ GrowingContact::GrowingContact(ContactPeriod period)
 {
     const std::int64_t n = period_.steps;
     const auto turn = [&](std::int64_t m) { return turnOf(period_.cycles % n * m, n); };
+    const auto startOf = [&](const ClosingContact& contact) {
+        return period_.cycles == 0 ? 0.0 : contact.driven / (turn(1) - 1.0);
+    };
     for (const ClosingContact& contact : period_.contacts) {
-        const std::complex<double> start = contact.driven / (turn(1) - 1.0);
-        start_.push_back(parts(start));
+        start_.push_back(parts(startOf(contact)));
         std::vector<Plane>& speeds = speeds_.emplace_back();
         for (std::int64_t m = 0; m < n; ++m) {
             speeds.push_back(parts(contact.driven * turn(m)));
         }
         ways_.push_back(waysOf(contact));
     }
-    linearPeak_ = lengthOf(period_.contacts.front().driven / (turn(1) - 1.0));
+    linearPeak_ = lengthOf(startOf(period_.contacts.front()));
     measure();
 }
 

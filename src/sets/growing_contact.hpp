@@ -42,8 +42,8 @@ struct ClosingContact {
 
 /// What is known of a period.
 struct ContactPeriod {
-    std::int64_t steps = 0;     ///< n
-    std::int64_t cycles = 1;    ///< K
+    std::int64_t steps = 0;   ///< n
+    std::int64_t cycles = 1;  ///< K; 0: `driven` is the same in all steps, and places mean nothing
     std::int64_t residues = 1;  ///< G
     double alone = 1.0;         ///< h of a push before waves return
     double usual = 0.0;         ///< largest v that the excitation alone would cause
