@@ -160,18 +160,13 @@ public:
         addFamilies();
         addModes();
         if (options.bar == Bar{}) {
-            add({.kind = Kind::dots,
-                 .role = Role::paper,
-                 .marker = Marker::diamond,
-                 .size = 3.2,
-                 .x = {8.0 / 7.0},
-                 .y = {20.0}});
-            add({.kind = Kind::dots,
-                 .marker = Marker::diamond,
-                 .size = 2.2,
-                 .legend = "the paper’s motion, (8/7, 20)",
-                 .x = {8.0 / 7.0},
-                 .y = {20.0}});
+            Series halo = dots(Role::paper, 3.2, Marker::diamond);
+            Series paper =
+                dots(Role::ink, 2.2, Marker::diamond).named("the paper’s motion, (8/7, 20)");
+            for (Series* mark : {&halo, &paper}) {
+                mark->add(8.0 / 7.0, 20.0);
+                shown_.add(std::move(*mark));
+            }
         }
     }
 
@@ -186,7 +181,7 @@ public:
             return figure;
         }
         std::vector<Series> said;
-        for (const Series& series : series_) {
+        for (const Series& series : shown_.series) {
             if (!series.legend.empty()) {
                 said.push_back(series);
                 said.back().x = said.back().y = {};
@@ -231,13 +226,6 @@ public:
     }
 
 private:
-    void add(Series series)
-    {
-        if (!series.x.empty()) {
-            series_.push_back(std::move(series));
-        }
-    }
-
     [[nodiscard]] Panel panel(const char* name, Place place, double left, double right,
                               bool isDetail) const
     {
@@ -245,7 +233,7 @@ private:
         panel.x = isDetail ? frequencyAxis("frequency", left, right, options_.bar)
                            : Axis{.low = left, .high = right};
         panel.y = energyAxis("energy  E/E_1", lowestEnergy, frame_.top);
-        panel.series = series_;
+        panel.series = shown_.series;
         panel.add(namesIn(panel, isDetail));
         return panel;
     }
@@ -279,7 +267,7 @@ private:
             }
             style.add(bar.frequencyRatio, bar.least, bar.frequencyRatio, bar.most);
         }
-        add(std::move(style));
+        shown_.add(std::move(style));
     }
 
     /// From where a family starts.
@@ -310,7 +298,7 @@ private:
                 }
             }
             lines.legend = fmt::format("families of order w ≤ {}", most);
-            add(std::move(lines));
+            shown_.add(std::move(lines));
         }
         Series dots = plot::dots(Role::contact, 0.7).named("families on the grid");
         for (const Family& family : plot_.onGrid) {
@@ -318,7 +306,7 @@ private:
                 dots.add(foot->first, foot->second);
             }
         }
-        add(std::move(dots));
+        shown_.add(std::move(dots));
     }
 
     /// Is any of it below the top?
@@ -344,7 +332,7 @@ private:
                     addCurve(line, mode, frame_, k + 1 == styles.size() ? few : pointsPerCurve);
                 }
             }
-            add(std::move(line));
+            shown_.add(std::move(line));
         }
         Series starts =
             plot::dots(Role::ink, plot_.modes.size() <= maxMarked ? 1.0 : 0.35, Marker::ring)
@@ -354,7 +342,7 @@ private:
                 starts.add(frequencyAt(mode.highest), static_cast<double>(mode.b * mode.b));
             }
         }
-        add(std::move(starts));
+        shown_.add(std::move(starts));
     }
 
     /// Of the first families, in the detail, and of the linear motions at which contact begins:
@@ -395,7 +383,7 @@ private:
     const FrequencyEnergyPlot& plot_;
     const FrequencyEnergyOptions& options_;
     Extent frame_;
-    std::vector<Series> series_;
+    Panel shown_;  ///< the series of all panels
 };
 
 }  // namespace

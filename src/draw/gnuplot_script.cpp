@@ -241,42 +241,43 @@ private:
         rows(series);
         print(script_, "EOD\n");
         const bool hasColour = !series.z.empty();
+        const std::string paint =
+            hasColour ? "palette" : fmt::format("'{}'", colourOf(series.role));
         const std::string fill = fmt::format(
             "fillstyle {} noborder fillcolor {}",
             series.isHatched       ? std::string("pattern 4")
             : series.opacity < 1.0 ? fmt::format("transparent solid {:.3g}", series.opacity)
                                    : std::string("solid 1.0"),
-            hasColour ? "palette" : fmt::format("'{}'", colourOf(series.role)));
+            paint);
+        return block + lookOf(series, line, paint, fill) + title;
+    }
+
+    /// Columns and style.
+    static std::string lookOf(const Series& series, const std::string& line,
+                              const std::string& paint, const std::string& fill)
+    {
+        const bool hasColour = !series.z.empty();
         switch (series.kind) {
             case Kind::line:
             case Kind::strokes:
-                return block + "1:2 with lines " + line + title;
+                return "1:2 with lines " + line;
             case Kind::dots:
-                return block +
-                       fmt::format(
-                           "{} with points pt {} ps {:.3g} lw {:.3g} lc {}",
-                           hasColour ? "1:2:3" : "1:2", pointOf(series.marker), 0.8 * series.size,
-                           series.width,
-                           hasColour ? "palette" : fmt::format("'{}'", colourOf(series.role))) +
-                       title;
+                return fmt::format("{} with points pt {} ps {:.3g} lw {:.3g} lc {}",
+                                   hasColour ? "1:2:3" : "1:2", pointOf(series.marker),
+                                   0.8 * series.size, series.width, paint);
             case Kind::arrows:
-                return block + "1:2:3:4 with vectors head filled size screen 0.01,25 " + line +
-                       title;
+                return "1:2:3:4 with vectors head filled size screen 0.01,25 " + line;
             case Kind::band:
-                return block +
-                       (series.y2.empty() ? "1:2 with filledcurves closed "
+                return (series.y2.empty() ? "1:2 with filledcurves closed "
                                           : "1:2:3 with filledcurves ") +
-                       fill + title;
+                       fill;
             case Kind::boxes:
-                return block + "1:2:3:4:5:6" + (hasColour ? ":7" : "") + " with boxxyerror " +
-                       fill + title;
+                return fmt::format("1:2:3:4:5:6{} with boxxyerror {}", hasColour ? ":7" : "", fill);
             case Kind::image:
-                return block + "1:2:3 with image" + title;
+                return "1:2:3 with image";
             case Kind::words:
-                return block +
-                       fmt::format("1:2:3 with labels {}{} textcolor '{}'", alignOf(series),
-                                   turnOf(series), colourOf(series.role)) +
-                       title;
+                return fmt::format("1:2:3 with labels {}{} textcolor {}", alignOf(series),
+                                   turnOf(series), paint);
         }
         return "";
     }

@@ -18,11 +18,12 @@ using namespace plot;
 
 constexpr int periods = 60;
 
-/// The period at a part of the interval; parts near 0 and 1 stand for the ends.
-double periodAt(const ModePolytope& polytope, int k)
+/// The period at a part of the interval of a polytope or a mode; parts near 0 and 1 stand for the
+/// ends.
+double periodAt(const auto& of, int k)
 {
     const double part = std::clamp(static_cast<double>(k) / periods, 1e-6, 1.0 - 1e-6);
-    return std::lerp(polytope.lowest.value(), polytope.highest.value(), part);
+    return std::lerp(of.lowest.value(), of.highest.value(), part);
 }
 
 /// The least and the most that the first contact may last.
@@ -76,8 +77,7 @@ void addModes(Panel& panel, double phases, double maxEnergyRatio)
         line(Role::ink, 1.0, Dash::dotted).named(fmt::format("one contact, {:.0f} times", phases));
     for (const Mode& mode : findModes(bounds)) {
         for (int k = 0; k <= periods; ++k) {
-            const double part = std::clamp(static_cast<double>(k) / periods, 1e-6, 1.0 - 1e-6);
-            const double period = std::lerp(mode.lowest.value(), mode.highest.value(), part);
+            const double period = periodAt(mode, k);
             once.add(4.0 / period, energyRatio(mode, period));
             often.add(4.0 / (phases * period), energyRatio(mode, period));
         }

@@ -183,16 +183,14 @@ private:
         const double from = -heightAt(node);
         constexpr int turns = 8;
         const double step = (ground - from) / (turns + 2);
-        line(x, from, x, from + step);
-        for (int k = 0; k < turns; ++k) {
-            const auto side = [&](int corner) {
-                return corner == 0 || corner == turns ? 0.0
-                       : corner % 2 == 0              ? -0.18 * symbol
-                                                      : 0.18 * symbol;
-            };
-            line(x + side(k), from + step * (k + 1), x + side(k + 1), from + step * (k + 2));
+        Series coil = plot::line(Role::ink, 1.2);
+        coil.add(x, from);
+        for (int k = 0; k <= turns; ++k) {
+            const double side = k == 0 || k == turns ? 0.0 : k % 2 == 0 ? -0.18 : 0.18;
+            coil.add(x + side * symbol, from + step * (k + 1));
         }
-        line(x, ground - step, x, ground);
+        coil.add(x, ground);
+        draw(std::move(coil));
         drawGround(x);
     }
 

@@ -12,44 +12,36 @@ namespace {
 
 using namespace plot;
 
-/// The axis of what is varied: what 1 in the range is there, and its words.
-Unit unitOfSwept(const SweepRange& range, const Bar& bar)
+/// What is varied: its words, and what 1 in the range is on the axis.
+struct Varied {
+    const char* words;
+    Unit unit;
+};
+
+Varied variedIn(const SweepRange& range, const Bar& bar)
 {
     const Scales unit = scales(bar);
+    const bool isForce = range.place == Excited::tip;
     switch (range.over) {
         case Swept::frequency:
-            return {0.25 / unit.time, "Hz"};
+            return {"frequency of the excitation", {0.25 / unit.time, "Hz"}};
         case Swept::amplitude:
-            return axisUnit(
-                range.place == Excited::tip ? bar.axialStiffness * unit.strain : unit.displacement,
-                range.most, range.place == Excited::tip ? "N" : "m");
+            return {isForce ? "amplitude of the force" : "amplitude of the base",
+                    axisUnit(isForce ? bar.axialStiffness * unit.strain : unit.displacement,
+                             range.most, isForce ? "N" : "m")};
         case Swept::gap:
-            return axisUnit(unit.displacement, range.most, "m");
+            return {"gap", axisUnit(unit.displacement, range.most, "m")};
         case Swept::damping:
-            return {1.0, "–"};
+            break;
     }
-    return {1.0, "–"};
+    return {"damping ratio ζ", {1.0, "–"}};
 }
 
 Axis axisOfSwept(const SweepRange& range, const Bar& bar)
 {
     const double margin = range.most > range.least ? 0.01 * (range.most - range.least) : 0.05;
-    const char* words = "damping ratio ζ";
-    switch (range.over) {
-        case Swept::frequency:
-            words = "frequency of the excitation";
-            break;
-        case Swept::amplitude:
-            words =
-                range.place == Excited::tip ? "amplitude of the force" : "amplitude of the base";
-            break;
-        case Swept::gap:
-            words = "gap";
-            break;
-        case Swept::damping:
-            break;
-    }
-    return axisIn(unitOfSwept(range, bar), words, range.least - margin, range.most + margin,
+    const auto [words, unit] = variedIn(range, bar);
+    return axisIn(unit, words, range.least - margin, range.most + margin,
                   range.over == Swept::frequency ? "ω/ω_1" : "");
 }
 
@@ -117,7 +109,7 @@ FigureData sweepFigure(std::span<const SweepPoint> points, const SweepRange& ran
     requirePoints(points);
     const Scales unit = scales(bar);
     const double impulse = bar.axialStiffness * unit.strain * unit.time;
-    const double x = unitOfSwept(range, bar).factor;
+    const double x = variedIn(range, bar).unit.factor;
     TwoPanels panels{
         .upper = {.name = "impulse", .place = {0.12, 0.97, 0.52, 0.83}, .legend = Legend::topLeft},
         .lower = {.name = "tip", .place = {0.12, 0.97, 0.12, 0.47}},
@@ -146,7 +138,7 @@ FigureData bifurcationFigure(std::span<const SweepPoint> points, const SweepRang
     const double pushed =
         largestOf(points, [](const SweepPoint& point) { return point.impulse[1]; });
     const Unit impulse = axisUnit(bar.axialStiffness * unit.strain * unit.time, pushed, "N s");
-    const double place = unitOfSwept(range, bar).factor;
+    const double place = variedIn(range, bar).unit.factor;
     FigureData figure{.height = 9.0, .title = titleOf(range, bar)};
     Panel& panel = figure.add({.name = "impulse", .place = {0.12, 0.97, 0.15, 0.78}});
     panel.x = axisOfSwept(range, bar);
