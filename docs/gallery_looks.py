@@ -21,6 +21,7 @@ ORDER = [
     "stepped_bar",
     "string_over_obstacle",
     "bouncing_bar",
+    "striker_and_rod",
     "two_bars_one_energy",
     "atlas_with_sql",
     "back_ends",
