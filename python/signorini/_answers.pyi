@@ -119,6 +119,17 @@ class SceneStrains(TypedDict):
     peak_tension: float
     peak_stress: Optional[float]
 
+class ScenePhysical(TypedDict):
+    frequency: float
+    contact_time: float
+    peak_force: float
+    impulse: float
+    approach_speed: float
+    peak_compression: float
+    peak_tension: float
+    peak_stress: Optional[float]
+    tip_lowest: Optional[float]
+
 class SceneStabilityReport(TypedDict):
     verdict: Literal["attracts", "repels", "unclear"]
     periods: int
@@ -616,6 +627,7 @@ class SceneHarmonicMotion(_Record):
     attracts: Optional[bool]
     residual: float
     strains: SceneStrains
+    admissible: bool
     stability: Optional[SceneStabilityReport]
 
 class SceneHarmonicResult(_Found, _Framed, _MovingEach, _OfBars, _Excited):
@@ -650,6 +662,8 @@ class SceneResult(_Found, _MovingEach, _OfBars):
     cells: int
     schedule: list[ContactSpan]
     period: float
+    period_ratio: float
+    frequency_ratio: Known[float]
     kernel_dimension: Optional[int]
     contacts: list[SceneContactForces]
     contact: Optional[Literal["pressing", "grazing"]]
@@ -657,6 +671,8 @@ class SceneResult(_Found, _MovingEach, _OfBars):
     energy_ratio: Known[float]
     energy_ratio_proved: Known[float]
     strains: Known[SceneStrains]
+    physical: Known[ScenePhysical]
+    admissible: Optional[bool]
     peak_compression_proved: Known[float]
     residuals: Known[SceneResiduals]
     stability: Known[SceneStabilityReport]
@@ -671,6 +687,8 @@ class SceneForcedMotion(_Record):
     phase: float
     contacts: list[SceneContactForces]
     strains: SceneStrains
+    physical: ScenePhysical
+    admissible: bool
     residual: float
     stability: Optional[SceneStabilityReport]
 
@@ -681,12 +699,16 @@ class SceneContinuumPoint(_Record, _MovingEach, _InScene):
     residual: float
     peak_strain: float
     strains: SceneStrains
+    physical: ScenePhysical
+    admissible: bool
     contacts: list[SceneContactForces]
     def write(self, path: str, index: int = 0) -> None: ...
 
 class SceneContinuum(_RowsOf[SceneContinuumPoint], _OfBars, _Curve):
     schedule: list[ContactSpan]
     period: float
+    period_ratio: float
+    frequency_ratio: Optional[float]
     energy_ratio_proved: Optional[float]
     strain_limit: Optional[float]
     points: list[SceneContinuumPoint]
@@ -698,6 +720,8 @@ class SceneForcedResult(_Found, _Framed, _MovingEach, _OfBars, _Excited):
     cells: int
     schedule: list[ContactSpan]
     period: float
+    period_ratio: float
+    frequency_ratio: Optional[float]
     frequency: float
     amplitude: Optional[float]
     strain_limit: Optional[float]

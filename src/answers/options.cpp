@@ -101,6 +101,9 @@ std::string inOptions(const std::string& message, unsigned questions,
     if (!untyped.empty() && numberIn(value, "-")) {  // what holds without it
         return fmt::format("{}{}{}{}{}{}", untyped, is, value, verdict, allowed, rest);
     }
+    if (!untyped.empty() && value == "not given") {
+        return fmt::format("{} is missing: allowed {}{}", untyped, allowed, rest);
+    }
     return message.substr(0, next) + rest;
 }
 

@@ -2,11 +2,6 @@
 
 namespace signorini::answers {
 
-SceneStrains SceneCurvePoint::strains() const
-{
-    return strainsOf(of->schedule.bars.assembly, of->schedule.scales, point().residuals);
-}
-
 std::vector<SceneCurvePoint> SceneContinuumAnswer::points() const
 {
     std::vector<SceneCurvePoint> all;

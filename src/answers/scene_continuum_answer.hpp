@@ -22,7 +22,11 @@ struct SceneCurvePoint {
     std::size_t number = 0;  ///< from 0
 
     [[nodiscard]] const NetworkCurvePoint& point() const { return of->curve.points.at(number); }
-    [[nodiscard]] SceneStrains strains() const;
+    [[nodiscard]] ScenePhysical physical() const
+    {
+        return physicalOf(of->schedule, point().residuals);
+    }
+    [[nodiscard]] SceneStrains strains() const { return physical().strains; }
 };
 
 struct SceneContinuumAnswer {
@@ -58,6 +62,7 @@ void describe(auto& d, Type<SceneCurvePoint>)
     d.key("peak_strain", "- >= 0", "Deepest compression.",
           [](const T& p) { return p.strains().compression; });
     d.key("strains", "-", "In a period.", &T::strains);
+    describePhysical(d, &T::physical);
     d.key("contacts", "-", "[dict, ...]: each contact with its forces.",
           [](const T& p) { return contactsOf(p.of->schedule, &p.point().residuals); });
 }

@@ -24,6 +24,12 @@ SceneSchedule scheduleOf(const Assembly& assembly, const Network& network,
             strainLimitOf(network, assembly)};
 }
 
+std::optional<double> SceneSchedule::frequencyRatio() const
+{
+    const double first = firstHertz(bars.reference);
+    return first > 0.0 ? std::optional(1.0 / (period() * first)) : std::nullopt;
+}
+
 std::vector<ContactInPeriod> contactsOf(const SceneSchedule& schedule,
                                         const NetworkResiduals* residuals)
 {
@@ -73,6 +79,20 @@ SceneStrains strainsOf(const Assembly& assembly, const NetworkScales& scales, do
         strains.stress = *modulus * strains.largest();
     }
     return strains;
+}
+
+ScenePhysical physicalOf(const SceneSchedule& schedule, const NetworkResiduals& residuals)
+{
+    ScenePhysical all;
+    all.frequency = 1.0 / schedule.period();
+    for (const ContactInPeriod& one : contactsOf(schedule, &residuals)) {
+        all.contactTime += *one.impulse > 0.0 ? *one.time : 0.0;
+        all.peakForce = std::max(all.peakForce, *one.peakForce);
+        all.impulse += *one.impulse;
+        all.approachSpeed = std::max(all.approachSpeed, *one.speed);
+    }
+    all.strains = strainsOf(schedule.bars.assembly, schedule.scales, residuals);
+    return all;
 }
 
 std::optional<double> SceneFindAnswer::provedCompression() const
@@ -161,9 +181,9 @@ SceneForcedAnswer forcedAnswerOf(const Assembly& assembly, const Network& networ
         NetworkClaim claim = claimOf(set, motion);
         NetworkResiduals residuals = walk(network, claim);
         auto contacts = contactsOf(answer.schedule, &residuals);
-        const SceneStrains strains = strainsOf(assembly, network.scales, residuals);
+        const ScenePhysical physical = physicalOf(answer.schedule, residuals);
         answer.motions.push_back({motion.amplitude * unit, motion.phase, std::move(claim),
-                                  std::move(residuals), std::move(contacts), strains});
+                                  std::move(residuals), std::move(contacts), physical});
     }
     if (motions.empty()) {
         const AmplitudeExclusion exclusion = exclusionOf(set, *amplitude / unit);

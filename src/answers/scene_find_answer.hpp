@@ -29,6 +29,13 @@ struct SceneSchedule {
     {
         return static_cast<double>(stepsOf(spans)) * scales.time;
     }
+    /// cT/L
+    [[nodiscard]] double periodRatio() const
+    {
+        return period() * bars.assembly.waveSpeed / bars.assembly.length;
+    }
+    /// 1/T over the first linear frequency, if there is one
+    [[nodiscard]] std::optional<double> frequencyRatio() const;
     [[nodiscard]] double joules(double energy) const { return energy * scales.energy(); }
     /// E/E_1
     [[nodiscard]] std::optional<double> ratio(double energy) const
@@ -78,6 +85,21 @@ void limitStrain(Network& network, const Assembly& assembly, const std::optional
                      std::max(0.0, seen.mostStrain));
 }
 
+/// What one period of a motion shows, of all contacts together; in SI units.
+struct ScenePhysical {
+    static constexpr bool isDictionary = true;
+    double frequency = 0.0;      ///< [Hz]
+    double contactTime = 0.0;    ///< [s], in which contacts are closed that press
+    double peakForce = 0.0;      ///< [N]
+    double impulse = 0.0;        ///< [N s]
+    double approachSpeed = 0.0;  ///< [m/s], the largest
+    SceneStrains strains;
+
+    [[nodiscard]] bool isAdmissible() const { return strains.compression < 1.0; }
+};
+[[nodiscard]] ScenePhysical physicalOf(const SceneSchedule& schedule,
+                                       const NetworkResiduals& residuals);
+
 /// What multipliers prove: no motion has less energy.
 struct SceneFloor {
     static constexpr bool isDictionary = true;
@@ -115,6 +137,10 @@ struct SceneFindAnswer {
                                                    motions.residuals))
                          : std::nullopt;
     }
+    [[nodiscard]] std::optional<ScenePhysical> physical() const
+    {
+        return isFound() ? std::optional(physicalOf(schedule, motions.residuals)) : std::nullopt;
+    }
     /// Every motion of the schedule has more.
     [[nodiscard]] std::optional<double> provedCompression() const;
     /// Does any contact press?
@@ -143,7 +169,7 @@ struct SceneForcedMotion {
     NetworkClaim claim;
     NetworkResiduals residuals;
     std::vector<ContactInPeriod> contacts;
-    SceneStrains strains;
+    ScenePhysical physical;
     std::optional<SceneStability> stability = {};  ///< where it was asked for
 };
 
@@ -202,6 +228,10 @@ void describeSchedule(auto& d, auto schedule)
     d.key("schedule", "-", R"([{"closed", "steps"}, ...] of one period.)",
           of(&SceneSchedule::spans));
     d.key("period", "s > 0", "T.", of(&SceneSchedule::period));
+    d.key("period_ratio", "- > 0", "cT/L, of all bars and the speed 1.",
+          of(&SceneSchedule::periodRatio));
+    d.key("frequency_ratio", "- > 0", "omega/omega_1 of the scene; none where it has no omega_1.",
+          of(&SceneSchedule::frequencyRatio));
 }
 
 void describeStrainLimit(auto& d, auto schedule)
@@ -221,17 +251,35 @@ void describe(auto& d, Type<ContactInPeriod>)
     d.key("contact_time", "s >= 0", "In a period.", &T::time, When::any);
 }
 
+void describeStrains(auto& d, auto of)
+{
+    d.key("peak_compression", "- >= 0", "-min s over all x and t.", of(&SceneStrains::compression));
+    d.key("peak_tension", "- >= 0", "max s over all x and t.", of(&SceneStrains::tension));
+    d.key("peak_stress", "Pa >= 0",
+          "Largest |stress|, where Young's modulus is known and all bars have one wave speed.",
+          of(&SceneStrains::stress));
+}
+
 void describe(auto& d, Type<SceneStrains>)
 {
-    using T = SceneStrains;
     d.record(
         "SceneStrains",
         "Strains of bars in a period of a motion, those at rest under constant forces included.");
-    d.key("peak_compression", "- >= 0", "-min s over all x and t.", &T::compression);
-    d.key("peak_tension", "- >= 0", "max s over all x and t.", &T::tension);
-    d.key("peak_stress", "Pa >= 0",
-          "Largest |stress|, where Young's modulus is known and all bars have one wave speed.",
-          &T::stress);
+    describeStrains(d, std::identity());
+}
+
+void describe(auto& d, Type<ScenePhysical>)
+{
+    using T = ScenePhysical;
+    d.record("ScenePhysical", "What one period of a motion of bars shows, in SI units.");
+    d.key("frequency", "Hz > 0", "Of the period.", &T::frequency);
+    d.key("contact_time", "s >= 0", "In one period, of all contacts that press.", &T::contactTime);
+    d.key("peak_force", "N >= 0", "Largest, of any contact.", &T::peakForce);
+    d.key("impulse", "N s >= 0", "In one period, of all contacts.", &T::impulse);
+    d.key("approach_speed", "m/s >= 0", "Largest, before a contact closes.", &T::approachSpeed);
+    describeStrains(d, partOf(&T::strains));
+    d.key("tip_lowest", "m", "None: bars in a row have no one tip.",
+          [](const T&) { return std::optional<double>(); });
 }
 
 void describe(auto& d, Type<SceneFloor>)
@@ -323,6 +371,9 @@ void describe(auto& d, Type<SceneFindAnswer>)
     d.key("energy_ratio_proved", "- >= 0", "No motion has less.",
           ratioOfMotion(&LeastMotion::provedEnergy));
     d.key("strains", "-", "Of the motion.", &T::strains, When::found);
+    d.key("physical", "-", "What can be measured, in SI units.", &T::physical, When::found);
+    d.key("admissible", "-", "Is s > -1 everywhere?",
+          ifThere(&T::physical)(&ScenePhysical::isAdmissible), When::found);
     d.key("peak_compression_proved", "- > 0", "Of a motion with the least: every motion has more.",
           &T::provedCompression, When::any);
     d.key("residuals", "-", "Of the motion.", ofMotion(motions(&LeastMotion::residuals)),
@@ -348,7 +399,8 @@ void describe(auto& d, Type<SceneForcedMotion>)
     d.key("amplitude", "N or m >= 0", "Of the excitation.", &T::amplitude);
     d.key("phase", "rad", "Of the excitation at the start.", &T::phase);
     d.key("contacts", "-", "[dict, ...]: each contact, and its forces.", &T::contacts);
-    d.key("strains", "-", "In a period.", &T::strains);
+    d.key("strains", "-", "In a period.", [](const T& m) { return m.physical.strains; });
+    describePhysical(d, &T::physical);
     d.key("residual", "- >= 0", "The worst that was seen walking its waves; relative.",
           [](const T& m) { return m.residuals.worst(); });
     d.key("stability", "-", "Of the motion when it is perturbed.", &T::stability, When::any);

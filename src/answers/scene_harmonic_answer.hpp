@@ -117,6 +117,8 @@ void describe(auto& d, Type<SceneHarmonicMotion>)
     d.key("residual", "- >= 0", "The worst that was seen moving its waves by the law; relative.",
           ofValue(&NetworkHarmonicMotion::residual));
     d.key("strains", "-", "In a period.", &T::strains);
+    d.key("admissible", "-", "Is s > -1 everywhere?",
+          [](const T& m) { return m.compression() < 1.0; });
     d.key(
         "stability", "-", "Of the motion when it is perturbed.",
         [](const T& m) { return m.inSteps ? m.inSteps->stability : std::nullopt; }, When::any);

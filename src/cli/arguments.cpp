@@ -178,7 +178,7 @@ std::int64_t CommonOptions::usualCells() const
         sum += std::min(segment.cells, maxCells);
     }
     if (cells && *cells != sum) {
-        throwFault("cells of all segments", sum, fmt::format("{}, N", *cells));
+        throwFault("--cells", *cells, fmt::format("{}, those of --segments", sum));
     }
     return sum;
 }

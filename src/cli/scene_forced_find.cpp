@@ -25,7 +25,7 @@ std::string asText(const answers::SceneForcedAnswer& answer, const SceneFind& of
     for (const answers::SceneForcedMotion& one : answer.motions) {
         text += fmt::format("motion      amplitude {:.6g} {}, phase {:.6g}\n", one.amplitude, unit,
                             one.phase);
-        text += cli::asText(one.contacts) + cli::asText(one.strains);
+        text += cli::asText(one.contacts) + cli::asText(one.physical.strains);
         text += fmt::format("residual    {:.2g}\n{}", one.residuals.worst(),
                             cli::asText(one.stability));
     }
@@ -53,7 +53,7 @@ ExitStatus findForcedInScene(const FindCommand& command)
         scene.assembly, scene.network, scene.schedule, forcing, force.amplitude, force.derivative);
     command.tryIfAsked(answer);
     for (const answers::SceneForcedMotion& one : answer.motions) {
-        warnOf(one.strains, command);
+        warnOf(one.physical.strains, command);
     }
     const NetworkClaim* last = answer.motions.empty() ? nullptr : &answer.motions.back().claim;
     return scene.finish(answer, last, answer.status() == Status::none, asText(answer, scene));

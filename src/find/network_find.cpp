@@ -74,8 +74,8 @@ void requireKnown(const Network& network, const std::vector<ContactSpan>& schedu
     faults.requireWhole("steps of a period", steps, std::int64_t{1'000'000});
     faults.throwIfAny();
     if ((schedule.front().closed & ~schedule.back().closed) == 0) {
-        faults.add("first set", fmt::format("{:#x}", schedule.front().closed),
-                   "sets with a contact that the last one leaves open");
+        faults.add("schedule", textOf(schedule),
+                   "those whose first set has a contact that the last one leaves open");
     }
     // Distances are 0 where contacts close; without gaps the bars at rest meet every row.
     ContactSet touched = 0;

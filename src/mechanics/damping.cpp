@@ -37,7 +37,7 @@ Damping dampingOfRho(double rho)
 
 double dashpot(const Damping& damping, const Bar& bar)
 {
-    return damping.eta() * bar.axialStiffness / bar.waveSpeed;
+    return 0.0 + damping.eta() * bar.axialStiffness / bar.waveSpeed;  // no -0
 }
 
 std::string_view name(Excited place)

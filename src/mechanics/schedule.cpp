@@ -95,8 +95,9 @@ void validate(const Schedule& schedule)
         check("contact", phase.contact);
         check("free", phase.free);
         if (phase.stop == Stop::left && !schedule.stops.left) {
-            faults.add(fmt::format("the stop of phase {}", number), "left",
-                       "right where there is no second stop");
+            faults.add(fmt::format("phase {}", number),
+                       fmt::format("L:{} {}", phase.contact, phase.free),
+                       "contacts on the wall where there is no second stop");
         }
     }
     if (tooLong) {

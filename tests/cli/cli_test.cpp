@@ -130,7 +130,7 @@ TEST_CASE("cli: wrong use is exit status 2, one line naming argument, value and 
         {"3 9 --cells 3.5", "--cells = 3.5"},
         {"3 9 --gap nan", "--gap = nan"},
         {"3 9 --gap inf", "--gap = inf"},
-        {"3 9 --gap 0", "energyRatio = not given"},
+        {"3 9 --gap 0", "--energy is missing: allowed"},
         {"3 9 --gap 1e-200", "gap"},
         {"3 9 --length 0", "--length = 0"},
         {"3 9 --wave-speed -2", "--wave-speed = -2"},

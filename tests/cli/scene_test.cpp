@@ -40,7 +40,7 @@ TEST_CASE("cli scenes: without a gap the energy is given in joules and answers s
     CHECK(none["certificate"]["size"].get<std::int64_t>() < 0);
     const auto missing = program.run("find 3 7 --cells 4 --gap 0");
     CHECK(missing.status == 2);
-    CHECK_THAT(missing.err, containsText("energyRatio = not given"));
+    CHECK_THAT(missing.err, containsText("--energy is missing: allowed"));
     CHECK(lines(missing.err) == 1);
 }
 
@@ -59,7 +59,7 @@ TEST_CASE("cli scenes: two stops, phases that name theirs, mirrored motions reco
           true);
     const auto refused = program.run("find 1 5 L:1 5 --cells 4");
     CHECK(refused.status == 2);
-    CHECK_THAT(refused.err, containsText("the stop of phase 2 = left"));
+    CHECK_THAT(refused.err, containsText("phase 2 = L:1 5 is out of range"));
 }
 
 TEST_CASE("cli scenes: continua without a gap, in joules, and between two stops")
@@ -276,6 +276,32 @@ TEST_CASE("cli scenes: find --scene knows any bars that are held, and proves wha
     refuses(bars + "1:3 -:9 --force tip", "tip for a scene with the word driven");
     refuses("--scene 'clamp 4 dash=0.1 driven gap=1e-3 4 clamp' 3 9 --force tip --energy 1",
             "without --force");
+}
+
+TEST_CASE("cli scenes: two equal bars show what the paper's shows, with half its forces")
+{
+    const CommandLine program;
+    const auto answer = [&program](const std::string& arguments) {
+        return json::parse(program.run("find 6 36 --format json --quiet " + arguments).out);
+    };
+    const std::string bars = "--length 2 --scene 'clamp 12 gap=1e-3 12 clamp'";
+    const json one = answer("--cells 12");
+    const json two = answer(bars);
+    const auto half = [&](const char* key, double factor) {
+        INFO(key);
+        CHECK(two["physical"][key].get<double>() ==
+              Approx(factor * one["physical"][key].get<double>()).epsilon(1e-12));
+    };
+    for (const char* key : {"frequency", "contact_time", "approach_speed"}) {
+        half(key, 1.0);
+    }
+    for (const char* key : {"peak_force", "impulse", "peak_compression", "peak_tension"}) {
+        half(key, 0.5);
+    }
+    CHECK(two["frequency_ratio"].get<double>() == Approx(8.0 / 7.0).epsilon(1e-12));
+    CHECK(two["period_ratio"].get<double>() == Approx(1.75).epsilon(1e-12));
+    CHECK(two["admissible"] == true);
+    CHECK(answer("--length 2 --scene 'clamp 12 gap=3 12 clamp'")["admissible"] == false);
 }
 
 TEST_CASE("cli scenes: an energy is held, and the most impulse, as of the paper's bar")

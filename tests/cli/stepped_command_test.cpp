@@ -115,18 +115,19 @@ TEST_CASE("cli stepped: a call that cannot be meant is refused by name")
           "simulate --rest --periods 2 --frequency 1" + force,
           "response --exact --from 1 --to 1.1" + force,
           "sweep --periods 5 --points 2 --from 1 --to 1.1" + force}) {
-        refuses(asked + " --segments 4:1,4:1.3 --cells 9", "cells of all segments = 8");
+        refuses(asked + " --segments 4:1,4:1.3 --cells 9",
+                "--cells = 9 is out of range: allowed 8");
     }
     refuses("find 3 25 --segments 4:1,4:1.3:2 --motion m.pvd", "several speeds");
     refuses("find --frequency 8/7 --segments 4:1,4:1.3 --formulation state", "--formulation");
     refuses("simulate --segments 4:1,4:1.3:1:-1 --time 1", "dashpot of segment 2");
     refuses("atlas --database a.sqlite --segments 4:1,4:1.3 --cells 9",
-            "cells of all segments = 8");
+            "--cells = 9 is out of range: allowed 8");
     refuses("atlas --database a.sqlite --segments 4:1,4:1.3 --families-only",
             "--families-only is not allowed");
     const std::string response = "response --damping 0.1 --force tip --amplitude 1e-4 --segments ";
     refuses(response + "4:1,4:1.3 --contacts 2", "contacts = 2");
-    refuses(response + "4:1,4:1.3 --cells 9", "cells of all segments = 8");
+    refuses(response + "4:1,4:1.3 --cells 9", "--cells = 9 is out of range: allowed 8");
     refuses(response + "4:1,4:1.3 --backbone-csv b.csv", "--backbone-csv");
     CHECK(program.files() == 0);
 }

@@ -397,7 +397,7 @@ TEST_CASE("network find: what nobody has a method for is refused by name")
         CHECK_THROWS_WITH(leastMotion(sceneOf(words), schedule, 1e9), containsText(part));
     };
     refuses("clamp 4 stop=0", {{1, 2}, {0, 8}}, "at rest are a motion");
-    refuses("clamp 4 stop=1e-3", {{0, 2}, {1, 8}, {0, 1}}, "first set");
+    refuses("clamp 4 stop=1e-3", {{0, 2}, {1, 8}, {0, 1}}, "schedule = -:2 1:8 -:1");
     refuses("clamp 4 stop=1e-3", {{2, 2}, {0, 8}}, "contacts 1..1");
     refuses("clamp 4 stop=1e-3", {{1, 0}, {0, 8}}, "steps");
 }
