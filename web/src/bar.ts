@@ -233,22 +233,21 @@ export class BarView {
     c.textBaseline = 'alphabetic';
     c.textAlign = 'left';
     const why = this.drawn < this.magnified * 0.999 ? `, for × ${this.magnified} would draw one thing through another` : '';
-    const times = `displacements × ${shown(this.drawn, 3)}${width > 700 ? why : ''}`;
+    const times = `${width > 480 ? 'displacements' : 'u'} × ${shown(this.drawn, 3)}${width > 700 ? why : ''}`;
     c.fillText(times, 8, height - 5);
     this.drawScale(c, height, most, width - 8, 16 + c.measureText(times).width);
   }
 
   /** What the colours of the bar mean. */
   private drawScale(c: Drawing, height: number, most: number, right: number, left: number): void {
-    const long = 90 * letters();
     const size = shown(inUnit('strain', most), 3);
     const [after, before] = [` +${size} ${unitOf('strain')} stretched`, `compressed −${size} `];
     c.textAlign = 'right';
     const end = right - c.measureText(after).width;
-    const hasRoom = end - long - c.measureText(before).width > left;
-    if (end - long < left) return;
+    const long = Math.min(90 * letters(), end - c.measureText(before).width - left);
+    if (long < 12) return;
     c.fillText(after, right, height - 5);
-    if (hasRoom) c.fillText(before, end - long, height - 5);
+    c.fillText(before, end - long, height - 5);
     drawScale(c, end - long, height - 14, long, 10, diverging());
   }
 

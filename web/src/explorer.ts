@@ -234,7 +234,7 @@ export class Explorer {
     this.map.show(kind, this.view);
     byId('forcing').hidden = kind !== 'response' || this.view.motion.show === 'scene';
     this.map.setHere(this.here());
-    byId('map-legend').textContent = {
+    byId('map-legend').textContent = byId('map-key').textContent = {
       energy: 'Black curves: modes, a motion for every period. Blue half-lines: families, each a continuum; a dot is their least energy. Ring: what you see. The axis is spread near ω₁.',
       existence: 'A dot for each schedule of 300 cells that has a motion: dark for little energy, bright for much; grey: it only touches the wall. Each tent is one family.',
       contacts: 'Filled: polygons, whose motions divide the contact time between two contacts freely, at one energy. Dashed: at each period a single motion. Drag the ring.',

@@ -48,6 +48,8 @@ export function addHelp(): void {
       box.style.left = `${Math.max(8, Math.min(left, innerWidth - box.offsetWidth - 8))}px`;
       box.style.top = `${bottom + box.offsetHeight + 8 < innerHeight ? bottom + 4 : Math.max(8, top - box.offsetHeight - 4)}px`;
     };
+    // On a telephone this is where the map is explained.
+    if (place.id === 'map-title') box.insertBefore(Object.assign(document.createElement('p'), { id: 'map-key' }), box.lastChild);
     place.append(' ', details);
     if (place.closest('label')) details.classList.add('beside');
   }

@@ -231,6 +231,14 @@ for (const [width, height] of [[1440, 900], [1280, 720], [1024, 768], [390, 844]
   });
 }
 
+test('telephone: what the dots of the map mean is behind its "?"', async ({ page }) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await open(page, 'show=schedule&cells=300&phases=150:900&energy=20&map=energy');
+  await page.click('#map-title summary');
+  await expect(page.locator('#map-key')).toBeVisible();
+  await expect(page.locator('#map-key')).toContainText('Ring: what you see');
+});
+
 const links = [
   'show=schedule&cells=300&phases=120:930&energy=20&pause=0.25&map=existence&magnified=60&pace=0.5&time=0.25',
   'show=mode&cells=200&contact=8&turns=-3&period=2.6&map=energy&magnified=100&pace=0.5&time=0',
