@@ -207,9 +207,11 @@ bool NetworkSimulation::closesOne(Range& range)
                 include(place.node, range);
                 include(place.node + 1, range);
             }
-            const double speed = closingSpeed(j);
-            if (speed > slow_) {
-                close(j, speed);
+            if (const double setsOut = closingSpeed(j); setsOut > slow_) {
+                // It is met with the speed before the waves that arrive at this instant.
+                const double came =
+                    -openingOf(place, [this](std::size_t at) { return velocity(at); });
+                close(j, came > slow_ ? came : setsOut);
                 include(place.node, range);
                 return true;
             }

@@ -1,8 +1,12 @@
 #include "network_simulation.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "catch.hpp"
 #include "random_network.hpp"
@@ -94,6 +98,23 @@ TEST_CASE("network simulation: two equal bars that meet exchange their speeds in
     CHECK(simulation.balance().error == 0.0);
     CHECK(simulation.momentumBalance().error == 0.0);
     CHECK(simulation.merged() == 0.0);
+}
+
+TEST_CASE("network simulation: a contact is met with the speed before waves that arrive with it")
+{
+    // A free bar pushed with F = Z c moves its end with c, and from 2 L/c, when the wave is back
+    // from the other end, with 3 c.
+    const std::int64_t crossing = 4;
+    for (const double gap : {1.0, 2.0, 3.5}) {
+        const Network scene = network(fmt::format("{} force=1 stop={}", crossing, gap));
+        NetworkSimulation simulation(scene, startWithSpeeds(scene, std::vector{0.0}));
+        simulation.advance(4.0 * static_cast<double>(crossing));
+        const std::vector<NetworkContactEvent> events = simulation.contacts();
+        REQUIRE(!events.empty());
+        const double begin = gap <= 2.0 ? gap : 2.0 + (gap - 2.0) / 3.0;  // L/c
+        CHECK(events.front().start == Approx(begin * static_cast<double>(crossing)));
+        CHECK(events.front().speed * scene.scales.velocity() == Approx(gap <= 2.0 ? 1.0 : 3.0));
+    }
 }
 
 TEST_CASE("network simulation: the bouncing bar of Doyen, Ern and Piperno repeats after 16/3")
