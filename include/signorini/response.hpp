@@ -206,14 +206,14 @@ struct ResponseRange {
     std::int64_t contacts = 1;
     double band = 0.05;  ///< [-], 0 < band < 1
     Stops stops = {};    ///< where the tip is held
-    /// Of the bar, clamp first, N cells in all; empty: a uniform bar. Segments that differ: one
-    /// contact, motions whose contact does not open apart. The frequency is in omega_1 of the first
-    /// material.
+    /// Of the bar, clamp first, N cells in all; empty: a uniform bar. Of segments that differ
+    /// motions whose contact does not open are apart, and mirrored ones are among those with two
+    /// contacts. The frequency is in omega_1 of the first material.
     std::vector<Segment> segments = {};
 };
 
 /// Most schedules with two contacts that a range may hold, of all its n: about n^3/12 of each,
-/// n^3/3 with a second stop.
+/// n^3/3 with a second stop; of segments that differ 2e7.
 inline constexpr double maxTwoContactSchedules = 1e9;
 
 /// Motions of one n_c, one for each amplitude of an interval.

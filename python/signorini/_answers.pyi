@@ -629,6 +629,8 @@ class SceneHarmonicMotion(_Record):
     strains: SceneStrains
     admissible: bool
     stability: Optional[SceneStabilityReport]
+    spans: Optional[list[ContactSpan]]
+    amplitude: Optional[float]
 
 class SceneHarmonicResult(_Found, _Framed, _MovingEach, _OfBars, _Excited):
     amplitude: float
@@ -840,6 +842,8 @@ class SceneFrequency(_Record):
 
 class SceneResponse(_Found, _Framed, _Drawn, _OfBars, _Excited):
     exact: bool
+    most_contacts: int
+    band: Optional[float]
     amplitude: float
     amplitude_of: str
     frequency_range: tuple[float, float]

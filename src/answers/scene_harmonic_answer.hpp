@@ -28,6 +28,8 @@ struct SceneHarmonicMotion {
     struct InSteps {
         bool opens = true;
         std::optional<SceneStability> stability = {};  ///< where it was asked for
+        std::vector<ContactSpan> spans = {};           ///< of two contacts in a period
+        double amplitude = 0.0;                        ///< [N] or [m], of these
     };
     SceneStrains strains = {};
     std::optional<InSteps> inSteps = {};
@@ -36,6 +38,13 @@ struct SceneHarmonicMotion {
     /// Does it come back when it is disturbed? As growth says, or as was tried under a staircase;
     /// nothing where neither tells.
     [[nodiscard]] std::optional<bool> attracts() const;
+    [[nodiscard]] bool hasTwoContacts() const { return inSteps && !inSteps->spans.empty(); }
+    /// What such a motion has of its own.
+    template <typename Member>
+    [[nodiscard]] auto ofTwo(Member member) const
+    {
+        return hasTwoContacts() ? std::optional((*inSteps).*member) : std::nullopt;
+    }
     [[nodiscard]] const char* release() const
     {
         return !inSteps ? releaseOf(value) : inSteps->opens ? "step" : "never";
@@ -87,7 +96,7 @@ void describe(auto& d, Type<SceneHarmonicMotion>)
     d.record("SceneHarmonicMotion",
              "One motion of bars under a harmonic; contact is at any times, under a staircase of "
              "forces at whole steps.");
-    d.key("contact", "- >= 1", "The one that closes.",
+    d.key("contact", "- >= 1", "The one that closes; of two the first.",
           [](const T& m) { return m.value.contact + 1; });
     d.key("contact_time", "s > 0", "In a period.",
           [](const T& m) { return m.value.release * m.scales.time; });
@@ -100,11 +109,11 @@ void describe(auto& d, Type<SceneHarmonicMotion>)
     d.key("phase", "rad", "Of the excitation at the start of contact.",
           ofValue(&NetworkHarmonicMotion::phase));
     d.key("impulse", "N s >= 0",
-          "Of the contact in a period: 0 of one that a force in steps only touches.",
+          "Of its contacts in a period: 0 of those that a force in steps only touches.",
           [](const T& m) { return m.value.impulse * m.scales.force() * m.scales.time; });
     d.key("peak_force", "N >= 0", "Largest.",
           [](const T& m) { return m.value.peakForce * m.scales.force(); });
-    d.key("speed", "m/s >= 0", "With which the contact closes.",
+    d.key("speed", "m/s >= 0", "Largest with which a contact closes.",
           [](const T& m) { return m.value.speed * m.scales.velocity(); });
     d.key("growth", "- > 0",
           "Of a small disturbance in a period, under an exact harmonic; nothing where it is not "
@@ -122,6 +131,12 @@ void describe(auto& d, Type<SceneHarmonicMotion>)
     d.key(
         "stability", "-", "Of the motion when it is perturbed.",
         [](const T& m) { return m.inSteps ? m.inSteps->stability : std::nullopt; }, When::any);
+    d.key(
+        "spans", "-", "Of two contacts in a period, from the start of the first.",
+        [](const T& m) { return m.ofTwo(&T::InSteps::spans); }, When::any);
+    d.key(
+        "amplitude", "N or m > 0", "Of its excitation, where it has two contacts.",
+        [](const T& m) { return m.ofTwo(&T::InSteps::amplitude); }, When::any);
 }
 
 void describe(auto& d, Type<SceneHarmonicAnswer>)

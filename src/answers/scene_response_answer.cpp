@@ -9,6 +9,7 @@
 #include "faults.hpp"
 #include "harmonic_network_contact.hpp"
 #include "infinity.hpp"
+#include "two_contacts.hpp"
 
 namespace signorini::answers {
 
@@ -43,10 +44,13 @@ std::vector<std::int64_t> stepsOf(const SceneResponse& asked)
                                shortest, longest));
     }
     std::vector<std::int64_t> all;
+    double schedules = 0.0;
     for (auto n = static_cast<std::int64_t>(std::max(least, shortest));
          n <= static_cast<std::int64_t>(most); ++n) {
         all.push_back(n);
+        schedules += range.contacts > 1 ? twoContactSchedules(n, asked.bars.contacts.size()) : 0.0;
     }
+    requireFewPairs(schedules, maxNetworkPairs);
     return all;
 }
 
@@ -58,22 +62,37 @@ SceneResponse responseOf(const Assembly& assembly, const SceneRange& range)
 
 namespace {
 
+/// The one that a span closes.
+std::size_t contactOf(const ContactSpan& span)
+{
+    return static_cast<std::size_t>(numbersOf(span.closed).front() - 1);
+}
+
 /// A motion of a staircase, walked once more for all that is said of it.
-SceneHarmonicMotion motionOf(const ForcedMotion& motion, std::size_t contact, std::int64_t closed,
+SceneHarmonicMotion motionOf(const ForcedMotion& motion, const std::vector<ContactSpan>& spans,
                              const HarmonicNetwork& given, const SceneResponse& asked,
                              const Cancel& cancel)
 {
-    const NetworkClaim claim = claimOf(spansOf(contact, closed, given.steps), motion);
+    const NetworkClaim claim = claimOf(spans, motion);
     const NetworkResiduals seen = walk(given.network, claim);
     SceneHarmonicMotion made{{}, asked.scales};
-    made.value.contact = contact;
+    made.value.contact = contactOf(spans.front());
     made.value.phase = motion.phase;
-    made.value.release = static_cast<double>(closed);
-    made.value.impulse = std::max(0.0, seen.impulses[contact]);  // but for rounding
-    made.value.peakForce = seen.peakForces[contact];
-    made.value.speed = seen.extremes.contacts[contact].approach;
     made.value.residual = motion.residual;
     made.strains = strainsOf(asked.bars.assembly, asked.scales, seen);
+    std::vector<bool> isSeen(seen.impulses.size(), false);
+    std::int64_t closed = 0;
+    for (const ContactSpan& span : spans) {
+        closed += span.closed != 0 ? span.steps : 0;
+        const std::size_t contact = span.closed != 0 ? contactOf(span) : made.value.contact;
+        if (!isSeen[contact]) {
+            isSeen[contact] = true;
+            made.value.impulse += std::max(0.0, seen.impulses[contact]);  // but for rounding
+            made.value.peakForce = std::max(made.value.peakForce, seen.peakForces[contact]);
+            made.value.speed = std::max(made.value.speed, seen.extremes.contacts[contact].approach);
+        }
+    }
+    made.value.release = static_cast<double>(closed);
     made.inSteps = {closed < given.steps};
     if (asked.range.triesStability) {
         made.inSteps->stability = stabilityIn(given.network, claim, cancel);
@@ -97,6 +116,34 @@ void addAmplitudes(SceneAmplitudes& all, std::size_t contact, const ContactRespo
     }
 }
 
+/// The same with two contacts in a period.
+bool addPairs(SceneFrequency& at, const HarmonicNetwork& given, const SceneResponse& asked,
+              const Cancel& cancel)
+{
+    auto found = pairResponse(given, asked.range.band, cancel);
+    if (!found) {
+        return false;
+    }
+    const double unit = at.amplitude / given.amplitude;
+    for (TwoContactBranch& branch : found->twoContacts) {
+        branch.least *= unit;
+        branch.most *= unit;
+    }
+    at.amplitudes->pairs = std::move(found->twoContacts);
+    for (const ForcedMotion& motion : found->motions) {
+        const std::vector<ContactSpan> spans = spansOf(motion.schedule);
+        SceneHarmonicMotion& made =
+            at.motions.emplace_back(motionOf(motion, spans, given, asked, cancel));
+        made.inSteps->spans = spans;
+        made.inSteps->amplitude = motion.amplitude * unit;
+    }
+    if (found->undecided > 0 && at.undecided == 0) {
+        at.reason = found->detail;
+    }
+    at.undecided += found->undecided;
+    return true;
+}
+
 /// What the harmonic in steps has. \return was it done, not cancelled?
 bool addInSteps(SceneFrequency& at, const HarmonicNetwork& given, const SceneResponse& asked,
                 const Cancel& cancel)
@@ -113,10 +160,12 @@ bool addInSteps(SceneFrequency& at, const HarmonicNetwork& given, const SceneRes
         const auto& [found, permanent, leastPush, distance] = (*contacts)[contact];
         for (const ForcedMotion& motion : found.motions) {
             const std::int64_t closed = motion.schedule.phases.front().contact;
-            at.motions.push_back(motionOf(motion, contact, closed, given, asked, cancel));
+            at.motions.push_back(
+                motionOf(motion, spansOf(contact, closed, given.steps), given, asked, cancel));
         }
         if (permanent) {
-            at.motions.push_back(motionOf(*permanent, contact, given.steps, given, asked, cancel));
+            at.motions.push_back(motionOf(*permanent, spansOf(contact, given.steps, given.steps),
+                                          given, asked, cancel));
         }
         if (distance && at.distance) {
             at.distance->push_back(*distance * asked.scales.displacement);
@@ -128,7 +177,8 @@ bool addInSteps(SceneFrequency& at, const HarmonicNetwork& given, const SceneRes
         }
         at.undecided += found.undecided;
     }
-    return !isRequested(cancel);
+    return (asked.range.contacts == 1 || addPairs(at, given, asked, cancel)) &&
+           !isRequested(cancel);
 }
 
 }  // namespace

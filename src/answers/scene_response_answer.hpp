@@ -19,6 +19,9 @@ struct SceneRange {
     double mostHertz = 0.0;
     bool isExact = true;          ///< else the harmonic goes in steps
     bool triesStability = false;  ///< of motions in steps
+    /// Most contacts in a period, in steps; two as `ResponseRange` has them, at any two contacts.
+    std::int64_t contacts = 1;
+    double band = 0.05;
 };
 
 /// Motions of one contact, one for each amplitude of an interval [N or m]. Closed in all steps: the
@@ -31,10 +34,11 @@ struct SceneBranch {
 struct SceneAmplitudes {
     std::optional<double> open;  ///< [N or m], at which a first contact closes, where it is known
     std::vector<SceneBranch> closed = {};  ///< by contact
+    std::vector<TwoContactBranch> pairs = {};
 };
 
-/// The motions with one contact at one frequency; that none is left out is computed, not proved,
-/// where the harmonic is exact.
+/// The motions at one frequency with as many contacts as were asked for; that none is left out is
+/// computed, not proved, where the harmonic is exact.
 struct SceneFrequency {
     std::int64_t steps = 0;  ///< n, of the period
     double hertz = 0.0;      ///< [Hz], of the excitation
@@ -65,22 +69,24 @@ struct SceneResponse {
 };
 
 /// The periods of a range in steps, ascending. \throws std::invalid_argument if there is none, or
-/// they are too long for `harmonicContacts` or `contactResponses`.
+/// they are too long for `harmonicContacts` or `contactResponses`, or have too many schedules with
+/// two contacts.
 [[nodiscard]] std::vector<std::int64_t> stepsOf(const SceneResponse& asked);
 
 /// What is asked, without frequencies.
 [[nodiscard]] SceneResponse responseOf(const Assembly& assembly, const SceneRange& range);
 
-/// One frequency of what is asked; waves that resonate are its reason. O(n^2) for each contact;
-/// none if it was cancelled. \throws as harmonicContacts (harmonic_network_contact.hpp), or as
-/// contactResponses (contact_response.hpp).
+/// One frequency of what is asked; waves that resonate are its reason. O(n^2) for each contact,
+/// with two as addTwoContacts (two_contacts.hpp); none if it was cancelled. \throws as
+/// harmonicContacts (harmonic_network_contact.hpp), or as contactResponses (contact_response.hpp).
 [[nodiscard]] std::optional<SceneFrequency> frequencyAt(const SceneResponse& asked,
                                                         std::int64_t steps, const Cancel& cancel);
 
 void describe(auto& d, Type<SceneFrequency>)
 {
     using T = SceneFrequency;
-    d.record("SceneFrequency", "Motions of bars with one contact in a period, at one frequency.");
+    d.record("SceneFrequency",
+             "Motions of bars with one contact or two in a period, at one frequency.");
     d.key("steps", "- >= 2", "Of the period.", &T::steps);
     d.key("frequency", "Hz > 0", "Of the excitation.", &T::hertz);
     d.key("frequency_ratio", "- > 0", "The same in omega_1 of these bars, if they vibrate.",
@@ -90,7 +96,9 @@ void describe(auto& d, Type<SceneFrequency>)
     d.key("touches", "-", "Would bars that pass through each other meet?", &T::touches);
     d.key("distance", "m", "Least, of each contact, of bars that pass through each other.",
           &T::distance);
-    d.key("motions", "-", "By ascending impulse; under a staircase by contact and its steps.",
+    d.key("motions", "-",
+          "By ascending impulse; under a staircase by contact and its steps, those with two "
+          "contacts last.",
           &T::motions);
     d.key(
         "undecided", "- >= 1", "Schedules of a staircase that were not decided.",
@@ -103,16 +111,22 @@ void describe(auto& d, Type<SceneResponse>)
 {
     using T = SceneResponse;
     const auto range = partOf(&T::range);
-    d.record(
-        "SceneResponse",
-        "Motions of bars in a row with one contact in a period, under a harmonic over a range of "
-        "frequencies.");
+    d.record("SceneResponse",
+             "Motions of bars in a row with one contact or two in a period, under a harmonic over "
+             "a range "
+             "of frequencies.");
     d.key("status", "-", R"("found", or "undecided": the list may lack motions.)", &T::status);
     d.key("force", "-", "What is excited: driven nodes (tip), or shaken clamps (base).",
           range(&SceneRange::place));
     d.key("exact", "-", "Is the excitation the harmonic itself, not a staircase?",
           range(&SceneRange::isExact));
     d.key("cycles", "- >= 1", "Of the excitation in a period.", range(&SceneRange::cycles));
+    d.key("most_contacts", "- >= 1", "In a period.", range(&SceneRange::contacts));
+    d.key("band", "- > 0",
+          "How far amplitudes of two contacts may lie from the amplitude, relative.",
+          [](const T& a) {
+              return a.range.contacts > 1 ? std::optional(a.range.band) : std::nullopt;
+          });
     d.key("amplitude", "N, m, m/s or m/s^2 > 0", "Of the excitation.",
           range(&SceneRange::amplitude));
     d.key("amplitude_of", "-",

@@ -78,6 +78,30 @@ std::string stabilityText(const SceneResponse& answer)
                              attracting, repelling, unknown);
 }
 
+/// The motions with two contacts, each at an amplitude of its own.
+std::string pairsText(const SceneResponse& answer)
+{
+    constexpr int most = 6;
+    const answers::SceneRange& range = answer.range;
+    if (range.contacts < 2) {
+        return {};
+    }
+    std::string text;
+    int count = 0;
+    for (const SceneFrequency& at : answer.frequencies) {
+        for (const SceneHarmonicMotion& motion : at.motions) {
+            if (motion.hasTwoContacts() && count++ < most) {
+                text += fmt::format("            {} at {:.6g} Hz, amplitude {:.6g} {}\n",
+                                    textOf(motion.inSteps->spans), at.hertz,
+                                    motion.inSteps->amplitude, amplitudeUnitName(range.place, 0));
+            }
+        }
+    }
+    return fmt::format("two         contacts: {} motions, of amplitudes within {:.3g} %{}\n{}",
+                       count, 100.0 * range.band,
+                       count > most ? fmt::format("; the first {}", most) : std::string(), text);
+}
+
 std::string asText(const SceneResponse& answer)
 {
     const answers::SceneRange& range = answer.range;
@@ -90,17 +114,19 @@ std::string asText(const SceneResponse& answer)
         amplitudeUnitName(range.place, range.derivative),
         range.isExact ? "an exact harmonic" : "a harmonic in steps", range.leastHertz,
         range.mostHertz);
-    text += fmt::format("one contact at {} of {} frequencies\n",
+    const char* contacts = range.contacts > 1 ? "one or two contacts" : "one contact";
+    text += fmt::format("{} at {} of {} frequencies\n", contacts,
                         count([](const SceneFrequency& at) { return !at.motions.empty(); }),
                         answer.frequencies.size());
     text += fmt::format(
         "apart       at {} bars do not meet; at {} they would touch, and no motion with "
-        "one contact is known{}\n",
+        "{} is known{}\n",
         count([](const SceneFrequency& at) { return !at.reason && !at.touches(); }),
         count([](const SceneFrequency& at) {
             return at.motions.empty() && (at.reason || at.touches());
         }),
-        range.isExact ? ": computed, not proved" : "");
+        contacts, range.isExact ? ": computed, not proved" : "");
+    text += pairsText(answer);
     const SceneHarmonicMotion* worst = nullptr;
     double hertz = 0.0;
     for (const SceneFrequency& at : answer.frequencies) {
@@ -130,14 +156,14 @@ void writeSceneResponseCsv(const std::string& path, const SceneResponse& answer)
     constexpr std::string_view header =
         "steps,frequency_ratio,frequency,amplitude,touches,motion,contact,contact_time,release,"
         "phase,impulse,peak_force,speed,residual,stability,compression,tension,"
-        "growth,attracts";
+        "growth,attracts,spans,motion_amplitude";
     writeCsv(path, header, [&](CsvRows& row) {
         for (const SceneFrequency& at : answer.frequencies) {
             const auto put = [&](const auto&... values) {
                 row(at.steps, at.ratio, at.hertz, at.amplitude, at.touches(), values...);
             };
             if (at.motions.empty()) {
-                put(",,,,,,,,,,,,,");
+                put(",,,,,,,,,,,,,,,");
             }
             for (std::size_t k = 0; k < at.motions.size(); ++k) {
                 const SceneHarmonicMotion& motion = at.motions[k];
@@ -148,7 +174,9 @@ void writeSceneResponseCsv(const std::string& path, const SceneResponse& answer)
                     value.peakForce * scales.force(), value.speed * scales.velocity(),
                     value.residual,
                     isTried ? name(inSteps->stability->result.stability) : std::string_view(),
-                    strains.compression, strains.tension, value.growth, motion.attracts());
+                    strains.compression, strains.tension, value.growth, motion.attracts(),
+                    motion.hasTwoContacts() ? textOf(inSteps->spans) : std::string(),
+                    motion.ofTwo(&SceneHarmonicMotion::InSteps::amplitude));
             }
         }
     });
@@ -157,18 +185,27 @@ void writeSceneResponseCsv(const std::string& path, const SceneResponse& answer)
 void writeSceneMapCsv(const std::string& path, const SceneResponse& answer)
 {
     constexpr std::string_view header =
-        "steps,frequency_ratio,frequency,which,contact,free,least_amplitude,most_amplitude";
+        "steps,frequency_ratio,frequency,which,contact,free,least_amplitude,most_amplitude,"
+        "second,second_contact,second_free";
+    constexpr std::string_view noSecond = ",,";
     writeCsv(path, header, [&](CsvRows& row) {
         for (const SceneFrequency& at : answer.frequencies) {
             const auto put = [&](const auto&... values) {
                 row(at.steps, at.ratio, at.hertz, values...);
             };
             if (at.amplitudes->open) {
-                put(std::string_view(), 0, at.steps, 0.0, answers::known(*at.amplitudes->open));
+                put(std::string_view(), 0, at.steps, 0.0, answers::known(*at.amplitudes->open),
+                    noSecond);
             }
             for (const auto& [contact, branch] : at.amplitudes->closed) {
                 put(contact + 1, branch.contact, at.steps - branch.contact, branch.least,
-                    answers::known(branch.most));
+                    answers::known(branch.most), noSecond);
+            }
+            for (const auto& [phases, least, most] : at.amplitudes->pairs) {
+                const auto& [first, second] = phases;
+                put(static_cast<int>(first.stop) + 1, first.contact, first.free, least,
+                    answers::known(most), static_cast<int>(second.stop) + 1, second.contact,
+                    second.free);
             }
         }
     });
@@ -179,17 +216,16 @@ void writeSceneMapCsv(const std::string& path, const SceneResponse& answer)
 ExitStatus respondInBars(const Given& given, const CommonOptions& common, const ForceOptions& force,
                          const Assembly& assembly)
 {
-    constexpr std::string_view twoContacts =
-        "of a uniform bar: only its recursion decides all schedules with two contacts; find "
-        "decides one of several bars or segments";
-    refuseIf(given.whole("--contacts").value_or(1) != 1, "--contacts", given.text("--contacts"),
-             fmt::format("1; 2 {}", twoContacts));
-    refuseIf(given.has("--band"), fmt::format("--band: allowed with two contacts {}", twoContacts));
     refuseIf(given.has("--force-steps"),
              "--force-steps: allowed of a uniform bar: of others the steps are given");
     refuseIf(given.has("--backbone-csv"),
              "--backbone-csv: allowed of a uniform bar, whose modes are known");
     const bool isExact = given.has("--exact");
+    const std::int64_t contacts = given.whole("--contacts").value_or(1);
+    refuseIf(isExact && contacts > 1, "--contacts", given.text("--contacts"),
+             "1 with --exact; 2 of a harmonic in steps");
+    refuseIf(contacts < 2 && given.has("--band"), "--band", given.text("--band"),
+             "only together with --contacts 2");
     for (const char* option : {"--map", "--map-csv"}) {
         refuseIf(
             given.has(option) && (isExact || force.derivative > 0), option, given.text(option),
@@ -210,6 +246,8 @@ ExitStatus respondInBars(const Given& given, const CommonOptions& common, const 
                               given.whole("--cycles").value_or(1)};
     range.isExact = isExact;
     range.triesStability = given.has("--stability");
+    range.contacts = contacts;
+    range.band = given.number("--band").value_or(range.band);
     const Network network = networkOf(assembly);
     takeHertz(given, network, range);
     Outputs outputs(given, {"--csv", "--map-csv", "--figure", "--map"});

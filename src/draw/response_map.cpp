@@ -210,6 +210,9 @@ FigureData sceneMapFigure(const answers::SceneResponse& response)
                 column.motions.push_back({branch.least * unit.factor, branch.most * unit.factor});
             }
         }
+        for (const TwoContactBranch& branch : amplitudes.pairs) {
+            column.pairs.push_back(branch.least * unit.factor);
+        }
     }
     std::reverse(columns.begin(), columns.end());
     const Reach reach = reachOf(columns, 0.02 * columns.front().frequency);

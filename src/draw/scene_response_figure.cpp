@@ -33,6 +33,11 @@ FigureData sceneResponseFigure(const answers::SceneResponse& response)
         contacts.push_back(
             {SeriesPair(contactDots(contact, large)), SeriesPair(contactDots(contact, small))});
     }
+    const std::size_t two = contacts.size();  // where motions with two contacts are
+    if (response.range.contacts > 1) {
+        contacts.push_back({SeriesPair(dots(Role::strain, large, Marker::diamond)),
+                            SeriesPair(dots(Role::strain, small, Marker::diamond))});
+    }
     SeriesPair open(line(Role::faint, 2.4));
     SeriesPair unknown(dots(Role::ink, 0.8, Marker::cross));
     for (const SceneFrequency& at : response.frequencies) {
@@ -41,8 +46,9 @@ FigureData sceneResponseFigure(const answers::SceneResponse& response)
             unknown.add(at.hertz, 0.0, 0.0);
         }
         for (const SceneHarmonicMotion& motion : at.motions) {
+            const std::size_t which = motion.hasTwoContacts() ? two : motion.value.contact;
             const double force = motion.scales.force();
-            contacts[motion.value.contact][motion.attracts() == false ? 1 : 0].add(
+            contacts[which][motion.attracts() == false ? 1 : 0].add(
                 at.hertz, motion.value.peakForce * force,
                 motion.value.impulse * force * motion.scales.time);
         }
@@ -57,11 +63,15 @@ FigureData sceneResponseFigure(const answers::SceneResponse& response)
     panels.add(std::move(open), "bars that do not meet");
     for (std::size_t contact = 0; contact < contacts.size(); ++contact) {
         auto& [usual, repelling] = contacts[contact];
+        const std::string name =
+            contact == two ? "two contacts" : fmt::format("contact {}", contact + 1);
         panels.lower.legendRows += repelling.above.x.empty() ? 0 : 1;
-        panels.add(std::move(usual), fmt::format("contact {}", contact + 1));
-        panels.add(std::move(repelling), fmt::format("contact {}, repels", contact + 1));
+        panels.add(std::move(usual), name);
+        panels.add(std::move(repelling), name + ", repels");
     }
-    panels.add(std::move(unknown), "they would, and no motion with one contact is known");
+    panels.add(std::move(unknown),
+               fmt::format("they would, and no motion with {} is known",
+                           response.range.contacts > 1 ? "one contact or two" : "one contact"));
     const double margin = high > low ? 0.02 * (high - low) : 0.02 * high;
     FigureData figure = std::move(panels).figure(
         fmt::format("{} of amplitude {},  {}",

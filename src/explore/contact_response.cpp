@@ -12,6 +12,7 @@
 #include "network_find.hpp"
 #include "network_forced.hpp"
 #include "network_simulation.hpp"
+#include "two_contacts.hpp"
 
 namespace signorini {
 
@@ -299,6 +300,9 @@ std::optional<FrequencyResponse> steppedResponseAt(const ResponseRange& range, s
         if (permanent) {
             all.permanent = {leastPush, permanent->extremes, permanent->residual};
         }
+    }
+    if (range.contacts > 1 && !addTwoContacts(all, given, pairsOf(range), cancel)) {
+        return std::nullopt;
     }
     return all;
 }

@@ -107,6 +107,9 @@ void enterWalk(ForcedMotion& motion, const Network& network, std::span<const Con
     motion.residual = std::max(residuals.worst(), strainExcess(network, claim, residuals.extremes));
     motion.extremes.impulse =
         std::accumulate(residuals.impulses.begin(), residuals.impulses.end(), 0.0);
+    for (const ContactExtremes& contact : residuals.extremes.contacts) {
+        motion.extremes.approachSpeed = std::max(motion.extremes.approachSpeed, contact.approach);
+    }
 }
 
 NetworkForced::NetworkForced(const ForcedSet& set)

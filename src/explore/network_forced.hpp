@@ -79,7 +79,8 @@ private:
 /// what is walked.
 [[nodiscard]] NetworkClaim claimOf(std::span<const ContactSpan> schedule,
                                    const ForcedMotion& motion);
-/// Enters such a state, its residual, and the impulse of all contacts.
+/// Enters such a state, its residual, the impulse of all contacts and the largest speed with which
+/// one closes.
 void enterWalk(ForcedMotion& motion, const Network& network, std::span<const ContactSpan> schedule,
                const NetworkStart& state);
 

@@ -46,11 +46,6 @@ void validate(const ResponseRange& range)
     if (!range.segments.empty()) {
         requireCells(steppedBar(range.segments), range.cells);
     }
-    if (!isUniform(range.segments) && range.contacts > 1) {
-        faults.add("contacts", range.contacts,
-                   "1; 2 of a uniform bar, whose recursion decides all such schedules");
-        faults.throwIfAny();
-    }
 }
 
 /// The schedules of n steps that a response goes through.
@@ -142,13 +137,10 @@ std::vector<std::int64_t> stepsOf(const ResponseRange& range)
     double schedules = 0.0;
     for (auto n = static_cast<std::int64_t>(first); n <= static_cast<std::int64_t>(last); ++n) {
         all.push_back(n);
-        schedules += range.contacts > 1 ? twoContactSchedules(n, range.stops) : 0.0;
+        schedules += range.contacts > 1 ? twoContactSchedules(n, range.stops.left ? 2 : 1) : 0.0;
     }
-    if (schedules > maxTwoContactSchedules) {
-        throwFault("contacts: 2, schedules", schedules,
-                   fmt::format("at most {}: fewer cells, or a shorter range of frequencies",
-                               maxTwoContactSchedules));
-    }
+    requireFewPairs(schedules,
+                    isUniform(range.segments) ? maxTwoContactSchedules : maxNetworkPairs);
     return all;
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "bar_check.hpp"
+#include "faults.hpp"
 #include "forced_case.hpp"
 #include "forced_cut.hpp"
 #include "stops.hpp"
@@ -14,18 +16,16 @@ namespace {
 
 /// Numbers below this part of the others count as 0: such schedules are not refuted here.
 constexpr double nearlyZero = 1e-9;
-/// [steps]; a flight of one step closes if the tip rests in it: that is a contact.
-constexpr std::int64_t shortestFlight = 2;
 
 /// The schedules of one n, one after the other.
 class Sweep {
 public:
     Sweep(const ResponseRange& range, std::int64_t steps)
-        : forcing_{range.place, range.cycles, {}},
-          range_(range),
+        : range_(range),
+          question_(pairsOf(range)),
           steps_(steps),
-          waves_(range.cells, range.damping.rho(), shapesOf(forcing_, range.cells, steps),
-                 range.stops)
+          waves_(range.cells, range.damping.rho(),
+                 shapesOf({range.place, range.cycles, {}}, range.cells, steps), range.stops)
     {
         if (const auto& left = range.stops.left) {
             way_ = static_cast<double>(2 * range.cells) * (range.stops.right + left->value()) /
@@ -73,7 +73,8 @@ private:
             }
         }
         if (!(phases_[0].stop == phases_[1].stop ? isRefuted() : isRefutedBetween())) {
-            decide(response);
+            const Schedule schedule{range_.cells, {phases_.begin(), phases_.end()}, range_.stops};
+            addPair(response, schedule, question_);
         }
     }
 
@@ -307,64 +308,8 @@ private:
         return place * reach <= zero_;
     }
 
-    /// Is it a motion of n/2 steps, gone through twice?
-    [[nodiscard]] bool isTwice(const ForcedMotion& motion) const
-    {
-        if (forcing_.cycles % 2 != 0 || steps_ % 2 != 0) {
-            return false;
-        }
-        const Plane place{motion.amplitude * std::cos(motion.phase),
-                          motion.amplitude * std::sin(motion.phase)};
-        double most = 0.0;
-        double change = 0.0;
-        for (std::int64_t m = 0; m < steps_ / 2; ++m) {
-            const double here = waves_.wave(m).dot(place);
-            const double there = waves_.wave(m + steps_ / 2).dot(place);
-            most = std::max({most, std::abs(here), std::abs(there)});
-            change = std::max(change, std::abs(here - there));
-        }
-        return change <= forcedTolerance * most;
-    }
-
-    /// Does the tip rest at its stop all the time? It is said once that it does.
-    [[nodiscard]] bool isAtRest(const ForcedMotion& motion) const
-    {
-        return !held_.empty() &&
-               motion.extremes.approachSpeed <= forcedTolerance * amplitude(motion.state);
-    }
-
-    void decide(FrequencyResponse& response) const
-    {
-        const Schedule schedule{range_.cells, {phases_.begin(), phases_.end()}, range_.stops};
-        const ForcedSet set = forcedMotions(schedule, range_.damping, forcing_);
-        if (set.status == Status::undecided) {
-            addUndecided(response, set.detail);
-        }
-        if (set.status != Status::found) {
-            return;
-        }
-        const double nearest = std::clamp(range_.amplitude, set.leastAmplitude, set.mostAmplitude);
-        std::vector<ForcedMotion> motions;
-        if (nearest > set.leastAmplitude) {
-            motions = motionsOfAmplitude(set, nearest);
-        } else {
-            motions.push_back(leastAmplitudeMotion(set));
-        }
-        if (motions.empty() || (set.freeWaves == 0 && isTwice(motions.front()))) {
-            return;
-        }
-        std::erase_if(motions, [this](const ForcedMotion& motion) { return isAtRest(motion); });
-        if (motions.empty()) {
-            return;
-        }
-        response.twoContacts.push_back({phases_, set.leastAmplitude, set.mostAmplitude});
-        if (std::abs(nearest - range_.amplitude) <= range_.band * range_.amplitude) {
-            addBelievable(response, std::move(motions));
-        }
-    }
-
-    Forcing forcing_;
     const ResponseRange& range_;
+    PairQuestion question_;
     std::int64_t steps_;
     ForcedWaves waves_;
     std::array<Phase, 2> phases_ = {};
@@ -377,14 +322,82 @@ private:
 
 }  // namespace
 
-double twoContactSchedules(std::int64_t steps, const Stops& stops)
+double twoContactSchedules(std::int64_t steps, std::size_t contacts)
 {
     // Those of two steps less with flights of one step or more.
     const auto n = static_cast<double>(steps - 2 * (shortestFlight - 1));
     const double half = steps % 2 == 0 ? 0.5 * n - 1.0 : 0.0;
     const double onOne = n < 4.0 ? 0.0 : 0.5 * ((n - 1.0) * (n - 2.0) * (n - 3.0) / 6.0 - half);
     const auto all = static_cast<double>(steps);
-    return stops.left ? 2.0 * onOne + (all - 1.0) * (all - 2.0) * (all - 3.0) / 6.0 : onOne;
+    const auto count = static_cast<double>(contacts);
+    return count * onOne +
+           0.5 * count * (count - 1.0) * (all - 1.0) * (all - 2.0) * (all - 3.0) / 6.0;
+}
+
+void requireFewPairs(double schedules, double most)
+{
+    if (schedules > most) {
+        throwFault("contacts: 2, schedules", schedules,
+                   fmt::format("at most {}: fewer cells, or a shorter range of frequencies", most));
+    }
+}
+
+PairQuestion pairsOf(const ResponseRange& range)
+{
+    const auto decide = [&range](const Schedule& schedule) {
+        return forcedMotions(schedule, range.damping, {range.place, range.cycles, {}}, {},
+                             range.segments);
+    };
+    const auto isTwice = [&range](const ForcedMotion& motion) {
+        const auto [seen, extremes] = verifyBar(motion.state, motion.schedule, range.segments,
+                                                forcedTolerance, motion.damping, motion.excitation);
+        return seen.repetitions % 2 == 0;
+    };
+    return {range.amplitude, range.band, range.stops, decide, isTwice};
+}
+
+void addPair(FrequencyResponse& response, const Schedule& schedule, const PairQuestion& question)
+{
+    const ForcedSet set = question.decide(schedule);
+    if (set.status == Status::undecided) {
+        addUndecided(response, set.detail);
+    }
+    if (set.status != Status::found) {
+        return;
+    }
+    const double asked = question.amplitude;
+    const double nearest = std::clamp(asked, set.leastAmplitude, set.mostAmplitude);
+    std::vector<ForcedMotion> motions;
+    if (nearest > set.leastAmplitude) {
+        motions = motionsOfAmplitude(set, nearest);
+        if (motions.empty()) {  // by rounding, at the end
+            motions = motionsOfAmplitude(set, std::lerp(nearest, set.leastAmplitude, nearlyZero));
+        }
+    } else {
+        motions.push_back(leastAmplitudeMotion(set));
+    }
+    for (ForcedMotion& motion : motions) {
+        motion.schedule = schedule;
+    }
+    const bool canBeTwice =
+        set.freeWaves == 0 && set.forcing.cycles % 2 == 0 && response.steps % 2 == 0;
+    if (motions.empty() || (canBeTwice && question.isTwice(motions.front()))) {
+        return;
+    }
+    // It is said once that a tip rests at its stop all the time.
+    const bool canRest = set.freeWaves > 0 || set.mostAmplitude <= nearlyZero * asked;
+    std::erase_if(motions, [canRest](const ForcedMotion& motion) {
+        return canRest &&
+               motion.extremes.approachSpeed <= forcedTolerance * amplitude(motion.state);
+    });
+    if (motions.empty()) {
+        return;
+    }
+    response.twoContacts.push_back(
+        {{schedule.phases.front(), schedule.phases.back()}, set.leastAmplitude, set.mostAmplitude});
+    if (std::abs(nearest - asked) <= question.band * asked) {
+        addBelievable(response, std::move(motions));
+    }
 }
 
 bool addTwoContacts(FrequencyResponse& response, const ResponseRange& range, const Cancel& cancel)

@@ -49,26 +49,26 @@ GrowingContact::GrowingContact(ContactPeriod period)
         for (std::int64_t m = 0; m < n; ++m) {
             speeds.push_back(parts(contact.driven * turn(m)));
         }
-        ways_.push_back(waysOf(contact));
+        ways_.push_back(waysOf(period_, contact));
     }
     linearPeak_ = lengthOf(startOf(period_.contacts.front()));
     measure();
 }
 
-std::vector<double> GrowingContact::waysOf(const ClosingContact& contact) const
+std::vector<double> waysOf(const ContactPeriod& period, const ClosingContact& contact)
 {
     std::vector<double> ways;
     double way = 0.0;
-    for (std::int64_t m = 0; m < period_.steps; ++m) {
+    for (std::int64_t m = 0; m < period.steps; ++m) {
         ways.push_back(way);
-        if (m >= contact.offset && (m - contact.offset) % period_.residues == 0) {
-            const std::int64_t member = (m - contact.offset) / period_.residues;
+        if (m >= contact.offset && (m - contact.offset) % period.residues == 0) {
+            const std::int64_t member = (m - contact.offset) / period.residues;
             way += contact.byPush[static_cast<std::size_t>(member)];
         }
     }
     const double mean = std::accumulate(ways.begin(), ways.end(), 0.0);
     for (double& value : ways) {
-        value += (contact.compliance - mean) / static_cast<double>(period_.steps);
+        value += (contact.compliance - mean) / static_cast<double>(period.steps);
     }
     return ways;
 }

@@ -51,6 +51,11 @@ struct ContactPeriod {
     std::vector<ClosingContact> contacts;
 };
 
+/// How much farther a contact of a period has opened at the beginning of step m by a push in step 0
+/// of the one that grows, once in each period. O(n).
+[[nodiscard]] std::vector<double> waysOf(const ContactPeriod& period,
+                                         const ClosingContact& contact);
+
 class GrowingContact {
 public:
     /// n_c = 0. O(n contacts).
@@ -108,7 +113,6 @@ private:
     }
     [[nodiscard]] Plane placeOf(std::size_t contact) const;
     [[nodiscard]] Train trainOf(std::vector<double> push) const;
-    [[nodiscard]] std::vector<double> waysOf(const ClosingContact& contact) const;
     void lengthen(std::int64_t contact);
     void endRecursion(std::int64_t contact, Train train, double usual);
     void setFree(std::int64_t contact, Train train);

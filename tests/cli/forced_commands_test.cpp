@@ -655,8 +655,7 @@ TEST_CASE("cli response --exact of several bars: lists of find, and where a simu
     CHECK(settled >= 5);
     CHECK(lines(contentOf(program.file("r.csv"))) >= 1 + std::ssize(answer["frequencies"]));
     for (const std::string& wrong :
-         {"response --contacts 2" + bars + force, "response --band 0.1" + bars + force,
-          "response --exact --damping 0.1" + bars + force,
+         {"response --band 0.1" + bars + force, "response --exact --damping 0.1" + bars + force,
           "response --exact --stability" + bars + force,
           "response --exact --contacts 2" + bars + force,
           "response --exact --map m.svg" + bars + force,
@@ -1019,6 +1018,37 @@ TEST_CASE("cli response --contacts 2: motions with their own amplitude, in answe
               Approx(motion["amplitude"].get<double>()).epsilon(1e-9));
         CHECK(one["motions"][0]["physical"]["impulse"].get<double>() ==
               Approx(motion["impulse"].get<double>()).epsilon(1e-9));
+    }
+}
+
+TEST_CASE("cli response --contacts 2: the bar of section 15 said as bars in a row has the same")
+{
+    const CommandLine program;
+    const json answer = parsed(
+        program,
+        "response --from 1.01 --to 1.02 --contacts 2 --band 0.15 --csv r.csv --map-csv m.csv "
+        "--figure r.svg --map m.svg --force tip --amplitude 2.5e-4 "
+        "--scene 'clamp 30 driven dash=0.052631578947368421 stop=1e-3'");
+    CHECK(answer["most_contacts"] == 2);
+    CHECK(answer["band"] == 0.15);
+    REQUIRE(answer["frequencies"].size() == 1);
+    const json& motions = answer["frequencies"][0]["motions"];
+    REQUIRE(motions.size() == 2);
+    const auto spans = [&motions](std::size_t k) {
+        std::vector<int> steps;
+        for (const json& span : motions[k]["spans"]) {
+            steps.push_back(span["steps"].get<int>());
+        }
+        return steps;
+    };
+    CHECK(spans(0) == std::vector<int>{2, 100, 2, 14});
+    CHECK(spans(1) == std::vector<int>{2, 101, 2, 13});
+    CHECK(motions[0]["amplitude"].get<double>() == Approx(0.2346e-3).margin(1e-7));
+    CHECK(motions[1]["amplitude"].get<double>() == Approx(0.2823e-3).margin(1e-7));
+    CHECK_THAT(contentOf(program.file("r.csv")), containsText("1:2 -:100 1:2 -:14"));
+    CHECK_THAT(contentOf(program.file("m.csv")), containsText(",1,2,14"));
+    for (const char* figure : {"r.svg", "m.svg"}) {
+        CHECK_THAT(contentOf(program.file(figure)), containsText("two contacts"));
     }
 }
 

@@ -116,7 +116,6 @@ TEST_CASE("cli scenes: commands say which scenes they do not know")
     const CommandLine program;
     for (const char* call :
          {"modes --second-stop 1e-3", "modes --gap 0", "modes --segments 4:1,4:1.3",
-          "response --damping 0.02 --force tip --amplitude 1e-4 --segments 4:1,4:1.3 --contacts 2",
           "find 3 7 --cells 4 --gap 0 --damping 0.02 --force tip",
           "atlas --database a.sqlite --second-stop 1e-3 --figure f.svg",
           "families --segments 4:1,4:1.3", "find 1 5 --gap 1e-3 --second-stop 0",

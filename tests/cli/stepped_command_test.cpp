@@ -126,7 +126,7 @@ TEST_CASE("cli stepped: a call that cannot be meant is refused by name")
     refuses("atlas --database a.sqlite --segments 4:1,4:1.3 --families-only",
             "--families-only is not allowed");
     const std::string response = "response --damping 0.1 --force tip --amplitude 1e-4 --segments ";
-    refuses(response + "4:1,4:1.3 --contacts 2", "contacts = 2");
+    refuses(response + "400:1,400:1.3 --contacts 2", "contacts: 2, schedules");
     refuses(response + "4:1,4:1.3 --cells 9", "--cells = 9 is out of range: allowed 8");
     refuses(response + "4:1,4:1.3 --backbone-csv b.csv", "--backbone-csv");
     CHECK(program.files() == 0);
