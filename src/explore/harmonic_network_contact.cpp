@@ -47,6 +47,7 @@ StillCase stillOf(const HarmonicNetwork& given)
 std::vector<double> forcesOf(const Network& network)
 {
     std::vector<double> forces;
+    forces.reserve(network.nodes.size());
     for (const NetworkNode& node : network.nodes) {
         forces.push_back(network.bars[node.bar].drifts() ? node.force : 0.0);
     }
@@ -108,9 +109,9 @@ public:
         }
         const std::vector<double> none(given_.network.nodes.size(), 0.0);
         even_ = open.evenWaves(open.shapeUnder(forces), none);
-        const OpenNetwork::Vector still1 = open.arrivingStill(contact);
+        const OpenNetwork::Vector pushed = open.arrivingStill(contact);
         for (std::size_t channel = 0; channel < even_.size(); ++channel) {
-            even_[channel] -= meanPush_ * still1[static_cast<Eigen::Index>(channel)].real();
+            even_[channel] -= meanPush_ * pushed[static_cast<Eigen::Index>(channel)].real();
         }
         undampedWaves_ = open.evenWaves(none, undamped_);
     }
@@ -276,11 +277,13 @@ private:
                                   given_.amplitude * unit * value.swing);
         };
         std::vector<SteadyHarmonic> even;
+        even.reserve(even_.size());
         for (std::size_t channel = 0; channel < even_.size(); ++channel) {
             even.push_back(
                 excited(SteadyHarmonic(even_[channel]) + undampedWaves_[channel] * held.left));
         }
         std::vector<SteadyHarmonic> pushes;
+        pushes.reserve(held.pushes.size());
         for (const SteadyHarmonic& push : held.pushes) {
             pushes.push_back(excited(push));
         }

@@ -101,6 +101,7 @@ std::vector<double> OpenNetwork::shapeUnder(const std::vector<double>& forces) c
                       one.drifts() ? std::optional(one.firstNode) : std::nullopt);
     }
     std::vector<double> displacements;
+    displacements.reserve(shape.nodes.size());
     for (const NetworkNode& node : shape.nodes) {
         displacements.push_back(node.rest);
     }
@@ -146,6 +147,7 @@ std::vector<double> OpenNetwork::shapeUnderPush(std::size_t contact) const
 {
     const std::vector<double> speeds = speedsUnderPush(contact);
     std::vector<double> forces;
+    forces.reserve(network_.nodes.size());
     for (const NetworkNode& node : network_.nodes) {
         forces.push_back(-node.dashpot * speeds[node.bar]);
     }

@@ -659,13 +659,25 @@ TEST_CASE("cli response --exact of several bars: lists of find, and where a simu
           "response --exact --stability" + bars + force,
           "response --exact --contacts 2" + bars + force,
           "response --exact --map m.svg" + bars + force,
-          "response --exact --from 1e-4" + bars + force,
-          "response --exact --scene 'stop=1e-3 4 dash=0.1 driven stop=1e-3'" + force}) {
+          "response --exact --from 1e-4" + bars + force}) {
         const auto outcome = program.run(wrong);
         INFO(wrong << "\n" << outcome.err);
         CHECK(outcome.status == 2);
         CHECK(lines(outcome.err) == 1);
     }
+    // A bar that nothing holds bounces if it has weight.
+    const json bouncing =
+        parsed(program,
+               "find --period 2.4 --scene 'clamp shaken 3 dash=0.4 gap=0 2 dash=0.1' "
+               "--gravity -0.02 --force base --amplitude 0.02");
+    REQUIRE(!bouncing["motions"].empty());
+    for (const json& motion : bouncing["motions"]) {
+        CHECK(motion["impulse"].get<double>() == Approx(0.02 * 0.4 * 2.4).epsilon(1e-9));
+    }
+    const auto none =
+        program.run("find --period 2 --scene 'stop=-1e-3 4 dash=0.1 driven stop=1e-3'" + force);
+    CHECK(none.status == 1);
+    CHECK_THAT(none.out, containsText("balance"));
 }
 
 TEST_CASE("cli response of several bars in steps: what find says of each schedule", "[glpk]")
