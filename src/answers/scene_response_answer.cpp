@@ -50,7 +50,8 @@ std::vector<std::int64_t> stepsOf(const SceneResponse& asked)
         all.push_back(n);
         schedules += range.contacts > 1 ? twoContactSchedules(n, asked.bars.contacts.size()) : 0.0;
     }
-    requireFewPairs(schedules, maxNetworkPairs);
+    const bool drifts = !driftingBars(networkOf(asked.bars.assembly)).empty();
+    requireFewPairs(schedules, drifts ? maxDecidedPairs : maxNetworkPairs);
     return all;
 }
 

@@ -99,7 +99,6 @@ FigureData mapOf(const std::vector<Column>& columns, const Reach& reach, const A
     FigureData figure{.width = 16.0, .height = 12.0};
     Panel& panel = figure.add({.name = "map", .place = {0.12, 0.88, 0.30, 0.83}});
     panel.legend = Legend::below;
-    panel.legendRows = 4;
     panel.map = ColourMap::counts;
     panel.colour = {.low = 0.0, .high = static_cast<double>(mostTold)};
     panel.x = x;
@@ -129,6 +128,7 @@ FigureData mapOf(const std::vector<Column>& columns, const Reach& reach, const A
     panel.add(std::move(least));
     panel.add(across(reach[0], reach[1], amplitude, 1.0, Dash::dotted)
                   .named("amplitude of the response"));
+    panel.legendRows = pairs.x.empty() ? 4 : 5;
     panel.add(std::move(pairs));
     return figure;
 }
@@ -146,9 +146,10 @@ Column columnOf(const FrequencyResponse& response, double factor)
     return column;
 }
 
-std::string contactsIn(std::int64_t cycles)
+std::string contactsIn(std::int64_t cycles, std::int64_t contacts)
 {
-    return fmt::format("motions with at most one contact in {}",
+    return fmt::format("motions with at most {} in {}",
+                       contacts > 1 ? "two contacts" : "one contact",
                        cycles > 1 ? fmt::format("{} cycles", cycles) : "a cycle");
 }
 
@@ -183,7 +184,7 @@ FigureData responseMapFigure(std::span<const FrequencyResponse> frequencies,
     FigureData figure =
         mapOf(columns, reach, frequencyAxis("frequency of the excitation", reach[0], reach[1], bar),
               y, range.amplitude * unit.factor);
-    figure.title = fmt::format("{},  ζ = {:.4g},  N = {}", contactsIn(range.cycles),
+    figure.title = fmt::format("{},  ζ = {:.4g},  N = {}", contactsIn(range.cycles, range.contacts),
                                range.damping.ratio, range.cells);
     return figure;
 }
@@ -224,7 +225,7 @@ FigureData sceneMapFigure(const answers::SceneResponse& response)
         columns, reach, hertzAxis(reach[0], reach[1], answers::firstHertz(response.bars.reference)),
         y, response.range.amplitude * unit.factor);
     figure.title = fmt::format(
-        "{},  {} cells{}", contactsIn(response.range.cycles),
+        "{},  {} cells{}", contactsIn(response.range.cycles, response.range.contacts),
         networkOf(response.bars.assembly).cells(),
         undecided > 0 ? fmt::format(",  {} schedules undecided", undecided) : std::string());
     return figure;

@@ -1,7 +1,10 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 
 #include "contact_answers.hpp"
+#include "forced_case.hpp"
 #include "harmonic_motion.hpp"
 #include "network_find.hpp"
 #include "network_forced.hpp"
@@ -46,11 +49,14 @@ public:
     {
     }
 
+    /// Do waves of the open network say what a push does?
+    [[nodiscard]] bool areAnswered() const { return !periods_.empty(); }
+
     /// \return false if it was cancelled.
     bool run(std::size_t first, std::size_t second)
     {
         std::optional<PairPushes> pushes;
-        if (!periods_.empty()) {
+        if (areAnswered()) {
             pushes.emplace(periods_, first, second);
         }
         const std::int64_t n = given_.steps;
@@ -101,6 +107,14 @@ bool addTwoContacts(FrequencyResponse& response, const HarmonicNetwork& given,
 {
     NetworkPairs pairs(response, given, question, cancel);
     const std::size_t contacts = given.network.contacts.size();
+    const double schedules = twoContactSchedules(given.steps, contacts);
+    if (!pairs.areAnswered() && schedules > maxDecidedPairs) {
+        addUndecided(response, fmt::format("waves that nothing damps may rest in {} steps: of "
+                                           "schedules with two contacts at most {} are decided",
+                                           given.steps, maxDecidedPairs));
+        response.undecided += static_cast<std::int64_t>(schedules) - 1;
+        return true;
+    }
     for (std::size_t first = 0; first < contacts; ++first) {
         for (std::size_t second = first; second < contacts; ++second) {
             if (!pairs.run(first, second)) {

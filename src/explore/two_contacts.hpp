@@ -26,6 +26,9 @@ inline constexpr std::int64_t shortestFlight = 2;
 
 /// Most schedules with two contacts that a range of a network may hold, of all its n and contacts.
 inline constexpr double maxNetworkPairs = 2e7;
+/// Most of one n, of those that are decided by programs of their own, one by one; of a range where
+/// bars drift.
+inline constexpr double maxDecidedPairs = 2000;
 
 /// \throws std::invalid_argument if there are more of them than are allowed.
 void requireFewPairs(double schedules, double most);
@@ -47,7 +50,8 @@ void addPair(FrequencyResponse& response, const Schedule& schedule, const PairQu
 /// time. Where dashpots damp all waves of the open network a schedule is a point of (C, S), whose
 /// pushes and distances are looked at (pair_pushes.hpp); what they do not refute is decided. O(n^2)
 /// at most for each schedule, and decisions; where nothing damps some waves, or bars drift, every
-/// schedule is decided. \return false if it was cancelled. \throws as contactResponses.
+/// schedule is decided, and more than maxDecidedPairs are undecided. \return false if it was
+/// cancelled. \throws as contactResponses.
 [[nodiscard]] bool addTwoContacts(FrequencyResponse& response, const HarmonicNetwork& given,
                                   const PairQuestion& question, const Cancel& cancel);
 
