@@ -17,7 +17,8 @@ from ._words import Force, Over, Quantity, Segments
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from ._keywords import DrivenBar, DrivenBars, ExactRange, Range, RangeOfBars
+    from ._keywords import (DrivenBar, DrivenBars, ExactRange, Range, RangeOfBars, StepRange,
+                            StepRangeOfBars)
 
 
 class Response(Table[ForcedFrequency]):
@@ -63,17 +64,17 @@ class Response(Table[ForcedFrequency]):
 
 
 @overload
-def response(*, stability: bool = False, scene: Scene | None = None,
-             segments: Segments | None = None, **asked: Unpack[Range]) -> Response: ...
+def response(*, scene: Scene | None = None, segments: Segments | None = None,
+             **asked: Unpack[StepRange]) -> Response: ...
 
 
 @overload
-def response(*, stability: bool = False, **asked: Unpack[RangeOfBars]) -> SceneResponse: ...
+def response(**asked: Unpack[StepRangeOfBars]) -> SceneResponse: ...
 
 
 @overload
-def response(*, gravity: Quantity, stability: bool = False, scene: Scene | None = None,
-             segments: Segments | None = None, **asked: Unpack[Range]) -> SceneResponse: ...
+def response(*, gravity: Quantity, scene: Scene | None = None, segments: Segments | None = None,
+             **asked: Unpack[StepRange]) -> SceneResponse: ...
 
 
 @asks("response")
@@ -81,18 +82,23 @@ def response(*, damping: Quantity | None = None, force: Force, amplitude: Quanti
              amplitude_velocity: Quantity | None = None,
              amplitude_acceleration: Quantity | None = None,
              start: Quantity = 0.5, to: Quantity = 2.0, cycles: int = 1,
+             contacts: int = 1, band: Quantity | None = None,
              cells: int | None = None, stability: bool = False,
              threads: int = 1, bar: Bar | None = None,
              scene: Scene | str | None = None, gravity: Quantity = 0.0,
              second_stop: Quantity | None = None,
              segments: Segments | None = None, progress: Progress = None,
              **bar_options: Quantity | None) -> Response | SceneResponse:
-    """List every forced motion with one contact, for all periods of a range.
+    """List every forced motion with one contact, or two, for all periods of a range.
 
     The force goes in steps; `exact_response` takes the harmonic itself.
 
     Parameters
     ----------
+    contacts : int
+        Most in a period. 2: also every schedule with two, each at its own amplitude.
+    band : number
+        Largest deviation of that amplitude from the one asked for, relative (0.05).
     stability : bool
         Perturb each motion to test its stability.
 
@@ -102,6 +108,10 @@ def response(*, damping: Quantity | None = None, force: Force, amplitude: Quanti
         The first is a Table of ForcedFrequency.
     """
     asked = _of_bars(excited(gathered(locals())))
+    if contacts not in (1, 2):
+        raise ValueError(f"contacts = {contacts} is out of range: allowed 1, 2")
+    if band is not None and contacts == 1:
+        raise ValueError("band: allowed only together with contacts=2")
     if "words" in asked:
         return _core.response_bars({**asked, "exact": False})
     if damping is None:

@@ -133,6 +133,17 @@ class Range(ExactRange, Amplitudes): ...
 
 class RangeOfBars(Frequencies, Amplitudes, Bars): ...
 
+class InSteps(TypedDict, total=False):
+    """What can be asked of motions under a harmonic that goes in steps."""
+
+    contacts: int
+    band: Quantity | None
+    stability: bool
+
+class StepRange(Range, InSteps): ...
+
+class StepRangeOfBars(RangeOfBars, InSteps): ...
+
 class Driven(Amplitudes, total=False):
     """What drives a simulation, and how long."""
 

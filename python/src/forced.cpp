@@ -119,6 +119,8 @@ ResponseAnswer responseAsked(const Asked& asked)
                            .cycles = asked.get<std::int64_t>("cycles"),
                            .leastFrequencyRatio = asked.frequency("start", bar),
                            .mostFrequencyRatio = asked.frequency("to", bar),
+                           .contacts = asked.maybe<std::int64_t>("contacts").value_or(1),
+                           .band = asked.maybe<double>("band").value_or(ResponseRange{}.band),
                            .stops = stopsOf(scene),
                            .segments = scene.segments},
                           scene,
@@ -194,7 +196,9 @@ SceneResponse responseOfBars(const Asked& asked)
                            hertz("start"),
                            hertz("to"),
                            asked.get<bool>("exact"),
-                           asked.get<bool>("stability")};
+                           asked.get<bool>("stability"),
+                           asked.maybe<std::int64_t>("contacts").value_or(1),
+                           asked.maybe<double>("band").value_or(SceneRange{}.band)};
     const SceneResponse answer = responseOf(assembly, range);
     return overFrequencies(asked, answer, answer, [](const auto& of, auto n, auto cancel) {
         return frequencyAt(of, n, cancel);

@@ -332,6 +332,30 @@ def test_responses_of_bars_to_an_exact_harmonic_agree(program: Program) -> None:
     with pytest.raises(ValueError, match="dash"):
         sg.exact_response(scene=bars, damping=0.1, force="tip",  # type: ignore[call-overload]
                           amplitude=2e-3)
-    with pytest.raises(ValueError, match="holds"):
-        sg.exact_response(scene="stop=1e-3 4 dash=0.1 driven stop=1e-3", force="tip",
-                          amplitude=2e-3)
+    ball = "4 dash=0.1 driven stop=1e-3"  # bounces under its weight
+    said = program("response", "--exact", "--scene", ball, "--gravity", 9e-4, "--from", "0.4Hz",
+                   "--to", "0.7Hz", "--force", "tip", "--amplitude", 2e-4)
+    ours = sg.exact_response(scene=ball, gravity=9e-4, force="tip", amplitude=2e-4, start="0.4 Hz",
+                             to="0.7 Hz")
+    alike(said, ours.to_dict())
+    assert any(at.motions for at in ours.frequencies)
+    assert pickle.loads(pickle.dumps(ours)) == ours
+
+
+def test_responses_with_two_contacts_agree(program: Program) -> None:
+    """Of one bar and of several."""
+    drive: dict[str, Any] = {"force": "tip", "amplitude": 2e-3, "contacts": 2, "band": 0.3}
+    bars = "clamp 6 dash=0.1 driven gap=1e-3 8 dash=0.2 2 clamp"
+    said = program("response", "--scene", bars, "--from", "0.5Hz", "--to", "0.55Hz",
+                   *words_of(drive))
+    several = sg.response(scene=bars, start="0.5 Hz", to="0.55 Hz", **drive)
+    alike(said, several.to_dict())
+    assert any(motion.spans for at in several.frequencies for motion in at.motions)
+    assert pickle.loads(pickle.dumps(several)) == several
+    said = program("response", "--cells", 6, "--damping", 0.05, "--from", 0.9, "--to", 1.1,
+                   *words_of(drive))
+    alike(said, sg.response(cells=6, damping=0.05, start=0.9, to=1.1, **drive).to_dict())
+    with pytest.raises(ValueError, match="contacts=2"):
+        sg.response(cells=4, damping=0.1, force="tip", amplitude=2e-3, band=0.1)
+    with pytest.raises(ValueError, match="contacts = 3 .* allowed 1, 2"):
+        sg.response(cells=4, damping=0.1, force="tip", amplitude=2e-3, contacts=3)
