@@ -27,7 +27,8 @@ SceneSchedule scheduleOf(const Assembly& assembly, const Network& network,
 std::optional<double> SceneSchedule::frequencyRatio() const
 {
     const double first = firstHertz(bars.reference);
-    return first > 0.0 ? std::optional(1.0 / (period() * first)) : std::nullopt;
+    return first > 0.0 ? std::optional(static_cast<double>(cycles) / (period() * first))
+                       : std::nullopt;
 }
 
 std::vector<ContactInPeriod> contactsOf(const SceneSchedule& schedule,
@@ -162,6 +163,7 @@ SceneForcedAnswer forcedAnswerOf(const Assembly& assembly, const Network& networ
                              .detail = set.detail,
                              .cuts = {},
                              .motions = {}};
+    answer.schedule.cycles = forcing.cycles;
     if (set.status == Status::none) {
         answer.cuts = SceneCuts{false, set.cuts};
     }

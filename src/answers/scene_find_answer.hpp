@@ -23,6 +23,7 @@ struct SceneSchedule {
     std::int64_t cells = 0;
     std::optional<double> unit = {};         ///< E_1 [Z_1 delta^2/h], if there is one
     std::optional<double> strainLimit = {};  ///< [-], asked for
+    std::int64_t cycles = 1;                 ///< K, of what excites them in a period
 
     /// [s]
     [[nodiscard]] double period() const
@@ -34,7 +35,7 @@ struct SceneSchedule {
     {
         return period() * bars.assembly.waveSpeed / bars.assembly.length;
     }
-    /// 1/T over the first linear frequency, if there is one
+    /// K/T over the first linear frequency, if there is one
     [[nodiscard]] std::optional<double> frequencyRatio() const;
     [[nodiscard]] double joules(double energy) const { return energy * scales.energy(); }
     /// E/E_1

@@ -741,12 +741,13 @@ TEST_CASE("cli response --map-csv of several bars: the amplitudes that find has"
     std::string line;
     std::getline(map, line);
     CHECK(line ==
-          "steps,frequency_ratio,frequency,which,contact,free,least_amplitude,most_amplitude");
+          "steps,frequency_ratio,frequency,which,contact,free,least_amplitude,most_amplitude,"
+          "second,second_contact,second_free");
     std::map<int, std::array<double, 2>> seen;  // by closed steps; of two pieces both ends
     std::size_t motions = 0;
     while (std::getline(map, line)) {
         const std::vector<std::string> cells = cellsOf(line);
-        REQUIRE(cells.size() == 8);
+        REQUIRE(cells.size() == 11);
         const double least = std::stod(cells[6]);
         const double most =
             cells[7].empty() ? std::numeric_limits<double>::infinity() : std::stod(cells[7]);
@@ -824,7 +825,7 @@ TEST_CASE("cli response --map-csv: contact that never opens ends where another o
     (void)parsed(program,
                  "response --scene 'clamp 4 dash=0.1 driven gap=1e-3 4 dash=0.2 stop=right:-1e-4 "
                  "2 clamp' --force tip --amplitude 1e-4 --from 0.8 --to 1.1 --map-csv n.csv");
-    CHECK_THAT(contentOf(program.file("n.csv")), containsText(",,0,30,0,0\n"));
+    CHECK_THAT(contentOf(program.file("n.csv")), containsText(",,0,30,0,0,,,\n"));
 }
 
 TEST_CASE("cli response, simulate: figures with their labels")

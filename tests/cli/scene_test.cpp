@@ -300,6 +300,10 @@ TEST_CASE("cli scenes: two equal bars show what the paper's shows, with half its
     CHECK(two["frequency_ratio"].get<double>() == Approx(8.0 / 7.0).epsilon(1e-12));
     CHECK(two["period_ratio"].get<double>() == Approx(1.75).epsilon(1e-12));
     CHECK(two["admissible"] == true);
+    // Of the excitation, where there is one: 4 N K/n.
+    const json driven =
+        answer("--scene 'clamp 12 dash=0.02 driven stop=1e-3' --force tip --cycles 3");
+    CHECK(driven["frequency_ratio"].get<double>() == Approx(24.0 / 7.0).epsilon(1e-12));
     CHECK(answer("--length 2 --scene 'clamp 12 gap=3 12 clamp'")["admissible"] == false);
 }
 

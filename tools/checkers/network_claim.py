@@ -11,9 +11,9 @@ from .limits import strain_of
 from .scene import listed
 from .strains import Strains, whole
 
-SAID = ("schema", "version", "status", "scene", "reference", "cells", "schedule", "period", "kernel_dimension",
-        "contacts", "contact", "energy", "energy_ratio", "energy_ratio_proved", "strains", "residuals", "certificate",
-        "detail")
+SAID = ("schema", "version", "status", "scene", "reference", "cells", "schedule", "period", "period_ratio",
+        "frequency_ratio", "kernel_dimension", "contacts", "contact", "energy", "energy_ratio", "energy_ratio_proved",
+        "strains", "physical", "admissible", "residuals", "certificate", "detail")
 NINE = Fraction(1, 10 ** 9)
 
 
@@ -157,12 +157,19 @@ class Claim:
                 square -= along ** 2 / size
         return square
 
-    def require_derived(self, answer, unit):
+    def require_derived(self, answer, unit, cycles=1):
         """What is said of scene and schedule has to follow from them."""
         bars = self.bars
+        period = len(self.closed) * bars.step
         truth = [("cells", answer["cells"], Fraction(bars.cells)),
-                 ("period", answer["period"], len(self.closed) * bars.step)]
+                 ("period", answer["period"], period),
+                 ("period_ratio", answer["period_ratio"], period * bars.speed / bars.length)]
         reference = require_keys(answer["reference"], "reference", ("frequency", "damping", "energy", "compliance"))
+        first = Fraction(number(reference["frequency"], "reference: frequency"))
+        if first > 0:
+            truth.append(("frequency_ratio", answer["frequency_ratio"], cycles / (period * first)))
+        elif answer["frequency_ratio"] is not None:
+            raise NoProof(f"frequency_ratio: {shown(answer['frequency_ratio'])}, but there is none")
         for name, value in (("energy", unit[0] and unit[0] * bars.joules()), ("compliance", unit[1])):
             if value:
                 truth.append((f"reference: {name}", reference[name], value))
@@ -218,7 +225,8 @@ def check_scene(answer):
     if not lowest * (1 - NINE) <= claimed <= least:
         raise NoProof(f"{key}: {shown(answer['certificate'][key])}: allowed {told(lowest)} to what is proved, "
                       f"{told(least)}")
-    unproved = ("energy", "energy_ratio", "energy_ratio_proved", "strains", "residuals")
+    unproved = ("energy", "energy_ratio", "energy_ratio_proved", "strains", "physical", "admissible",
+                "residuals")
     for key in () if is_found else unproved:
         if answer[key] is not None:
             raise NoProof(f"{key}: {shown(answer[key])} is not proved here")

@@ -16,9 +16,9 @@ from .forced_network import MOST_AMPLITUDE, MOST_CUTS, leave_none
 from .network_claim import Claim, spans
 from .reading import NoProof, close, integer, number, require_keys, shown
 
-SAID = ("schema", "version", "status", "scene", "reference", "cells", "schedule", "period", "force", "cycles",
-        "frequency", "amplitude", "kind", "free_waves", "amplitude_range", "contacts", "motions", "certificate",
-        "detail")
+SAID = ("schema", "version", "status", "scene", "reference", "cells", "schedule", "period", "period_ratio",
+        "frequency_ratio", "force", "cycles", "frequency", "amplitude", "kind", "free_waves", "amplitude_range",
+        "contacts", "motions", "certificate", "detail")
 
 
 class Cut:
@@ -86,7 +86,7 @@ def check_scene_forced(answer):
         raise NoProof(f"answer: allowed status none, force tip or base, cycles below half of the steps, rows of a "
                       f"network, 1 to {MOST_CUTS} cuts")
     require_driven(claim.bars, force)
-    claim.require_derived(answer, claim.bars.unit())
+    claim.require_derived(answer, claim.bars.unit(), cycles)
     if not close(answer["frequency"], cycles / (len(claim.closed) * claim.bars.step), Fraction(1, 10 ** 9)):
         raise NoProof(f"frequency: {shown(answer['frequency'])} does not follow from the schedule")
     if answer["motions"] != []:
