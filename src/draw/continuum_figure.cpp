@@ -86,7 +86,7 @@ FigureData continuumFigure(const Continuum& curve)
         fmt::format("{}   ω/ω_1 = {:.5g}   {}   {}, {} motions", describe(curve.schedule),
                     frequencyRatio(curve.schedule), energyLabel(bar, curve.energyRatio),
                     curve.family, curve.points.size()),
-        std::move(images), motionsOf(curve, rows));
+        images, motionsOf(curve, rows));
 }
 
 }  // namespace signorini

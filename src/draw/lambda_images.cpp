@@ -59,14 +59,14 @@ LambdaImages::LambdaImages(std::vector<double> lambdas, std::string label)
     }
 }
 
-FigureData LambdaImages::figure(std::string title, std::vector<LambdaImage> images,
-                                FullMotions motions) const
+FigureData LambdaImages::figure(std::string title, const std::vector<LambdaImage>& images,
+                                const FullMotions& motions) const
 {
     FigureData figure{.width = 18.0, .height = 18.0, .title = std::move(title)};
     for (const LambdaImage& image : images) {
         add(figure, image);
     }
-    add(figure, std::move(motions));
+    add(figure, motions);
     return figure;
 }
 
@@ -116,9 +116,9 @@ void LambdaImages::add(FigureData& figure, const LambdaImage& of) const
     }
 }
 
-void LambdaImages::add(FigureData& figure, FullMotions motions) const
+void LambdaImages::add(FigureData& figure, const FullMotions& motions) const
 {
-    auto& [along, length, upwards, colours, fields, marks] = motions;
+    const auto& [along, length, upwards, colours, fields, marks] = motions;
     Axis colour{.label = colours, .low = 0.0, .high = 0.0};
     for (const Series& field : fields) {
         const auto [least, most] = std::minmax_element(field.z.begin(), field.z.end());
@@ -134,7 +134,7 @@ void LambdaImages::add(FigureData& figure, FullMotions motions) const
         panel.x = {.label = along, .low = 0.0, .high = length, .step = niceStep(length / 3.0)};
         panel.y = k > 0 ? bare(upwards) : upwards;
         panel.colour = colour;
-        panel.add(std::move(fields[k]));
+        panel.add(fields[k]);
         panel.add(marks);
     }
     const double right = figure.panels.back().place.right;

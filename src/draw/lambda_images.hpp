@@ -45,12 +45,12 @@ public:
     [[nodiscard]] const std::vector<std::size_t>& full() const { return full_; }
 
     /// Three images, and the motions in full.
-    [[nodiscard]] plot::FigureData figure(std::string title, std::vector<LambdaImage> images,
-                                          FullMotions motions) const;
+    [[nodiscard]] plot::FigureData figure(std::string title, const std::vector<LambdaImage>& images,
+                                          const FullMotions& motions) const;
 
 private:
-    void add(plot::FigureData& figure, const LambdaImage& image) const;
-    void add(plot::FigureData& figure, FullMotions motions) const;
+    void add(plot::FigureData& figure, const LambdaImage& of) const;
+    void add(plot::FigureData& figure, const FullMotions& motions) const;
 
     std::vector<double> lambdas_;
     std::string label_;

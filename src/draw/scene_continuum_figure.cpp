@@ -129,7 +129,7 @@ public:
             }
             images[2].profiles.push_back(seen.start.displacements);
         }
-        return rows.figure(title(), std::move(images), motions(rows));
+        return rows.figure(title(), images, motions(rows));
     }
 
     /// Forces over a period and u along the bars at t = 0, a frame for each member.
