@@ -8,7 +8,7 @@ from .march import NEAR
 from .network import Backwards, Bars, Law
 from .reading import NoProof, close, integer, number, require_keys, shown, told
 from .limits import strain_of
-from .scene import listed
+from .scene import listed, positive
 from .strains import Strains, whole
 
 SAID = ("schema", "version", "status", "scene", "reference", "cells", "schedule", "period", "period_ratio",
@@ -165,8 +165,8 @@ class Claim:
                  ("period", answer["period"], period),
                  ("period_ratio", answer["period_ratio"], period * bars.speed / bars.length)]
         reference = require_keys(answer["reference"], "reference", ("frequency", "damping", "energy", "compliance"))
-        first = Fraction(number(reference["frequency"], "reference: frequency"))
-        if first > 0:
+        if reference["frequency"] is not None:
+            first = Fraction(positive(reference, "frequency", "reference"))
             truth.append(("frequency_ratio", answer["frequency_ratio"], cycles / (period * first)))
         elif answer["frequency_ratio"] is not None:
             raise NoProof(f"frequency_ratio: {shown(answer['frequency_ratio'])}, but there is none")
