@@ -23,7 +23,6 @@ public:
         }
     }
 
-    [[nodiscard]] bool isLine() const { return along_.has_value(); }
     /// One of the two of a line, while it is left.
     [[nodiscard]] std::optional<Plane> only() const
     {
