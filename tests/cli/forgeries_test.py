@@ -153,6 +153,20 @@ def forge_bars(forger):
     forger.changed(certificate.check, ranged, "an objective", lambda a: a.update(objective="max-energy"))
 
 
+def forge_rows(forger):
+    """Bars in a row: what follows from scene and schedule is checked, and what does not is said not to be."""
+    bars = ["--scene", "clamp 4 gap=1e-3 5:1.3 clamp"]
+    none, motion = forger.proof("6", "16", *bars), forger.proof("6", "36", "--scene", "clamp 12 stop=1e-3")
+    forger.say(certificate.check, none, "from which frequency_ratio follows")
+    forger.say(certificate.check, motion, "not checked: contact", "physical, admissible")
+    for answer in (none, motion):
+        for name in ("period_ratio", "frequency_ratio"):
+            for value in (7.0, None, "1"):
+                forger.changed(certificate.check, answer, name, lambda a: a.__setitem__(name, value))
+    for name, value in (("physical", motion["physical"]), ("admissible", True)):
+        forger.changed(certificate.check, none, name, lambda a: a.__setitem__(name, value))
+
+
 def forge_strains(forger):
     """Limits of strain of bars whose waves meet in more than one place, and of waves that do not meet."""
     bars = ["--scene", "clamp 4 gap=2e-3 4:2:0.5 clamp"]
@@ -374,6 +388,7 @@ def main():
             forge_motions(forger)
             forge_floors(forger)
             forge_bars(forger)
+            forge_rows(forger)
             forge_strains(forger)
         else:
             print("several segments: this build has no solver for them")

@@ -242,5 +242,6 @@ def check_scene(answer):
     besides = " (that a motion has this energy is not shown by this file)" if is_found else ""
     limit = "" if claim.limit is None else f" with strains >= -{float(claim.limit)!r}"
     return (f"no periodic motion of schedule {spans(answer)} of these bars{limit} below {float(claimed)!r} "
-            f"{'E_1' if unit[0] else 'J'}: {words}{besides}; not checked: contact, detail, kernel_dimension, and "
-            "the frequency and damping of reference")
+            f"{'E_1' if unit[0] else 'J'}: {words}{besides}; not checked: contact, detail, kernel_dimension, "
+            f"{'strains, physical, admissible, residuals, ' if is_found else ''}and the frequency and damping of "
+            "reference, from which frequency_ratio follows")

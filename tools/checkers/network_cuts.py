@@ -104,4 +104,4 @@ def check_scene_forced(answer):
         raise NoProof("cuts: they leave an excitation")
     limit = "" if claim.limit is None else f" with strains >= -{float(claim.limit)!r}"
     return (f"no forced motion of schedule {spans(answer)} of these bars{limit}: {words}; not checked: detail, "
-            "free_waves, and the frequency and damping of reference")
+            "free_waves, and the frequency and damping of reference, from which frequency_ratio follows")
