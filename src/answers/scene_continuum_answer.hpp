@@ -26,7 +26,10 @@ struct SceneCurvePoint {
     {
         return physicalOf(of->schedule, point().residuals);
     }
-    [[nodiscard]] SceneStrains strains() const { return physical().strains; }
+    [[nodiscard]] SceneStrains strains() const
+    {
+        return strainsOf(of->schedule.bars.assembly, of->schedule.scales, point().residuals);
+    }
 };
 
 struct SceneContinuumAnswer {
