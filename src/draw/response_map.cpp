@@ -128,7 +128,12 @@ FigureData mapOf(const std::vector<Column>& columns, const Reach& reach, const A
     panel.add(std::move(least));
     panel.add(across(reach[0], reach[1], amplitude, 1.0, Dash::dotted)
                   .named("amplitude of the response"));
-    panel.legendRows = pairs.x.empty() ? 4 : 5;
+    panel.legendRows = 4;
+    if (!pairs.x.empty()) {  // a ninth entry, and a row for it
+        panel.legendRows = 5;
+        figure.height = 13.0;
+        panel.place = {0.12, 0.88, 0.33, 0.84};
+    }
     panel.add(std::move(pairs));
     return figure;
 }
