@@ -61,7 +61,9 @@ QUESTIONS = {
 }
 #: Where a scene needs other words.
 OTHERWISE = {("The motion of a mode", "pressed"): "4 -1 --period 2.5",
-             ("Motions of one schedule and energy", "flying"): "6 36 --energy 1e-5"}
+             ("Motions of one schedule and energy", "flying"): "6 36 --energy 1e-5",
+             # Three motions, not eleven, which to disturb takes half a minute.
+             ("All motions of a period", "stepped", "--stability"): "--period 5/6"}
 #: Demands: an example of each. The text of the program says what they do.
 DEMANDS = {
     "--solver": "auto", "--formulation": "kernel", "--objective": "max-energy", "--target": "{folder}/state.csv",
@@ -133,7 +135,7 @@ class Asker:
 def words_of(question, scene, demand=None):
     """What is typed."""
     command, words, _ = QUESTIONS[question]
-    words = OTHERWISE.get((question, scene), words)
+    words = OTHERWISE.get((question, scene, demand), OTHERWISE.get((question, scene), words))
     words = words.replace("{folder}/known.sqlite", f"'{{folder}}/{scene}.sqlite'")
     given = SCENES[scene]
     if "{force}" in words:

@@ -1,7 +1,9 @@
 #pragma once
 /// \file
 /// What tests do less often where addresses are watched, which takes several times as long and sees
-/// what is done, not how often.
+/// what is done, not how often; and where tools/build-and-test tries another choice of back ends.
+
+#include <cstdlib>
 
 #if defined(__SANITIZE_ADDRESS__)
 #define SIGNORINI_IS_SANITIZED 1
@@ -19,10 +21,15 @@ inline constexpr bool isSanitized = true;
 inline constexpr bool isSanitized = false;
 #endif
 
-/// So many draws, or what they show; there a fifth.
-constexpr int drawn(int most)
+inline bool drawsFew()
 {
-    return isSanitized ? most / 5 : most;
+    return isSanitized || std::getenv("SIGNORINI_FEW_DRAWS") != nullptr;
+}
+
+/// So many draws, or what they show; there a fifth.
+inline int drawn(int most)
+{
+    return drawsFew() ? most / 5 : most;
 }
 
 }  // namespace signorini::test

@@ -86,7 +86,7 @@ TEST_CASE("cli gravity: a free bar that sags is one with a smaller gap")
     for (const double gravity : {0.02, -0.03, 0.15}) {  // the last one presses at rest
         const auto [sagging, sagged] = bars(1e-3, gravity);
         for (const int contact : {1, 6}) {
-            for (int free = 5; free < 30; ++free) {
+            for (int free = 5; free < 30; free += 2) {
                 const std::string schedule = fmt::format(
                     "find {} {} --cells 6 --objective min-energy --format json", contact, free);
                 const auto truth = program.run(schedule + sagged);
@@ -102,7 +102,7 @@ TEST_CASE("cli gravity: a free bar that sags is one with a smaller gap")
             }
         }
     }
-    CHECK(found > 20);
+    CHECK(found > 10);
 }
 
 TEST_CASE("cli gravity: under a force, too, of a schedule and of a range of frequencies", "[glpk]")

@@ -101,7 +101,7 @@ TEST_CASE("cli: long work shows a line on a terminal, and only there")
                    containsText("\rfinding a motion, 1 s"));
     }
     const std::string trace = std::string("continuum 150 900 --energy-ratio 20 --points ") +
-                              (signorini::test::isSanitized ? "8000" : "20000");
+                              (signorini::test::isSanitized ? "3000" : "20000");
     const std::string shown = shownBy(program, trace);
     CHECK_THAT(shown, containsText(" %, tracing, ") && containsText(" s left"));
     CHECK_THAT(shownBy(program, "modes --max-order 6001"), containsText(" %, listing modes, "));

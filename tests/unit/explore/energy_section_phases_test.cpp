@@ -123,7 +123,7 @@ TEST_CASE("energy section: several phases have as many components as random moti
         const LumpedShape shape = shapeOf(lumpedSet(schedule));
         varying += shape.spanning.size() > 1 ? 1 : 0;
         for (const double part : {0.1, 0.35, 0.6}) {
-            if (test::isSanitized && part != 0.6) {
+            if (test::drawsFew() && part != 0.6) {
                 continue;
             }
             const double energy = std::lerp(shape.energy.least, shape.energy.most, part);
