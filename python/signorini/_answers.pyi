@@ -667,6 +667,7 @@ class SceneResult(_Found, _MovingEach, _OfBars):
     period_ratio: float
     frequency_ratio: Known[float]
     kernel_dimension: Optional[int]
+    solution_set: Known[SolutionSet]
     contacts: list[SceneContactForces]
     contact: Optional[Literal["pressing", "grazing"]]
     energy: Known[float]
@@ -679,6 +680,10 @@ class SceneResult(_Found, _MovingEach, _OfBars):
     residuals: Known[SceneResiduals]
     stability: Known[SceneStabilityReport]
     certificate: Known[SceneEnergyFloor]
+    route: str
+    route_reason: str
+    left_out: list[str]
+    solver: SolverReport
     detail: str
     reason: Optional[Literal["no-live-class", "contact-sign", "penetration", "gap",
         "constraints"]]

@@ -118,22 +118,10 @@ void describeSet(auto& d)
     d.key("frequency_ratio", "- > 0", "omega/omega_1.", result(&PeriodicResult::frequencyRatio));
     d.key("kernel_dimension", "- >= 0", "dim ker(W - 1), where the route knows it.",
           ofSet(&MotionSet::kernelDimension));
-    d.key("solution_set", "-", "What the set of all motions looks like.", [](const T& a) {
-        const MotionSet& set = a.result.set;
-        return set.kind ? std::optional(SolutionSet{*set.kind, set.dimension}) : std::nullopt;
-    });
+    describeSolutionSet(
+        d, [](const T& a) -> const auto& { return a.result.set; });
     d.key("family", "-", "To which it belongs, of one contact that presses.",
           ofSet(&MotionSet::family));
-}
-
-/// Who answered.
-void describeRoute(auto& d)
-{
-    const auto how = partOf([](const FindAnswer& a) -> const auto& { return a.result.how; });
-    d.key("route", "-", "Taken.", how(&Provenance::route));
-    d.key("route_reason", "-", "Why that one.", how(&Provenance::reason));
-    d.key("left_out", "-", "What the request did not need.", how(&Provenance::leftOut));
-    d.key("solver", "-", "Which solver answered.", how(&Provenance::solver));
 }
 
 void describe(auto& d, Type<FindAnswer>)
@@ -184,7 +172,8 @@ frequencies in omega_1.
           &T::nearSchedule, When::any);
     d.key("certificate", "-", "The proof that there is none.", ofAbsence(&Absence::proof),
           When::none);
-    describeRoute(d);
+    describeRoute(
+        d, [](const T& a) -> const auto& { return a.result.how; });
     d.key("repetitions", "- >= 1",
           "How often the motion repeats within the period of the schedule.",
           ofMotion(&M::repetitions), When::any);

@@ -100,8 +100,8 @@ std::vector<Option> ofMotions()
 {
     using namespace asks;
     return {
-        text("--solver", schedule | period, "NAME", "a back end listed by signorini --version",
-             "auto"),
+        text("--solver", schedule | period | freeNetwork, "NAME",
+             "a back end listed by signorini --version", "auto"),
         choice("--formulation", schedule | period, namesIn(formulationNames),
                "unknowns of the problem", "auto"),
         choice("--objective", schedule | period | freeNetwork,

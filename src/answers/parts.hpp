@@ -167,6 +167,25 @@ void describe(auto& d, Type<SolverReport>)
     d.key("seconds", "s >= 0", "Without verification.", &SolverReport::seconds);
 }
 
+/// What set(record) is of, if its kind is known.
+void describeSolutionSet(auto& d, auto set)
+{
+    d.key("solution_set", "-", "What the set of all motions looks like.", [set](const auto& of) {
+        const auto& known = std::invoke(set, of);
+        return known.kind ? std::optional(SolutionSet{*known.kind, known.dimension}) : std::nullopt;
+    });
+}
+
+/// Who answered: of a Provenance.
+void describeRoute(auto& d, auto get)
+{
+    const auto how = partOf(get);
+    d.key("route", "-", "Taken.", how(&Provenance::route));
+    d.key("route_reason", "-", "Why that one.", how(&Provenance::reason));
+    d.key("left_out", "-", "What the request did not need.", how(&Provenance::leftOut));
+    d.key("solver", "-", "Which solver answered.", how(&Provenance::solver));
+}
+
 /// Keys that name a family.
 void describeFamily(auto& d, auto family)
 {

@@ -359,6 +359,7 @@ void describe(auto& d, Type<SceneFindAnswer>)
     describeSchedule(d, &T::schedule);
     d.key("kernel_dimension", "- >= 0", "None: rounding hides it.",
           motions(&LeastMotion::kernelDimension));
+    describeSolutionSet(d, &T::motions);
     d.key("contacts", "-", "[dict, ...]: each contact, of a motion with its forces.",
           [](const T& a) {
               return contactsOf(a.schedule, a.isFound() ? &a.motions.residuals : nullptr);
@@ -382,6 +383,7 @@ void describe(auto& d, Type<SceneFindAnswer>)
     d.key("stability", "-", "Of the motion when it is perturbed.", &T::stability, When::any);
     d.key("certificate", "-", "No motion has less energy; of none: than any looked for, or held.",
           &T::certificate);
+    describeRoute(d, motions(&LeastMotion::how));
     d.key("detail", "-", "Why it is not decided.", motions(&LeastMotion::detail));
     d.key(
         "reason", "-", R"(Of none: "constraints" where motions exist, but not of the energy held.)",

@@ -42,23 +42,6 @@ std::string phasesAsText(const std::vector<Phase>& phases)
     return text.empty() ? "no contact phase" : text;
 }
 
-std::string setAsText(const MotionSet& set)
-{
-    std::string text;
-    if (set.kind) {
-        text = *set.kind == SetKind::empty ? "empty"
-               : *set.kind == SetKind::point
-                   ? "a single motion"
-                   : fmt::format("{} of dimension {}", name(*set.kind), set.dimension);
-    } else {
-        text = "not known to this route";
-    }
-    if (set.kernelDimension) {
-        text += fmt::format(", dim ker(W - 1) = {}", *set.kernelDimension);
-    }
-    return text;
-}
-
 /// Which family, and where in its tent the schedule lies.
 std::string familyAsText(const TentPlace& place)
 {
@@ -222,7 +205,27 @@ std::string absenceAsText(const Absence& absence)
                        std::visit([](const auto& proof) { return asText(proof); }, absence.proof));
 }
 
-std::string howAsText(const Provenance& how)
+}  // namespace
+
+std::string setText(const std::optional<SetKind>& kind, std::int64_t dimension,
+                    const std::optional<std::int64_t>& kernelDimension)
+{
+    std::string text = "set         ";
+    if (kind) {
+        text += *kind == SetKind::empty ? "empty"
+                : *kind == SetKind::point
+                    ? "a single motion"
+                    : fmt::format("{} of dimension {}", name(*kind), dimension);
+    } else {
+        text += "not known to this route";
+    }
+    if (kernelDimension) {
+        text += fmt::format(", dim ker(W - 1) = {}", *kernelDimension);
+    }
+    return text + "\n";
+}
+
+std::string asText(const Provenance& how)
 {
     std::string text =
         fmt::format("route       {}, {:.3g} s: {}\n", how.route, how.solver.seconds, how.reason);
@@ -231,8 +234,6 @@ std::string howAsText(const Provenance& how)
     }
     return text;
 }
-
-}  // namespace
 
 std::string asText(const Physical& p)
 {
@@ -254,7 +255,7 @@ std::string asText(const answers::FindAnswer& answer, bool isVerbose)
     const auto& target = answer.target;
     std::string text = fmt::format("{:<12}{}, T = {:.10g} s, ω/ω₁ = {:.10g}\n", name(result.status),
                                    describe(result.schedule), result.period, result.frequencyRatio);
-    text += fmt::format("set         {}\n", setAsText(result.set));
+    text += setText(result.set.kind, result.set.dimension, result.set.kernelDimension);
     if (result.set.family) {
         text += fmt::format("family      {}\n", familyAsText(*result.set.family));
     }
@@ -283,7 +284,7 @@ std::string asText(const answers::FindAnswer& answer, bool isVerbose)
         text += fmt::format("target      {}\n", target->how);
     }
     if (isVerbose) {
-        text += howAsText(result.how);
+        text += asText(result.how);
     }
     for (const answers::StabilityReport& report : answer.stability) {
         text += asText(report);

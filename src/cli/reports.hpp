@@ -34,6 +34,11 @@ using answers::SweepAnswer;
 inline constexpr std::string_view mostFound = ", the most found, not proved the most";
 
 [[nodiscard]] std::string asText(const Physical& physical);
+/// The line of a set of motions.
+[[nodiscard]] std::string setText(const std::optional<SetKind>& kind, std::int64_t dimension,
+                                  const std::optional<std::int64_t>& kernelDimension);
+/// By which route, and what that left out.
+[[nodiscard]] std::string asText(const Provenance& how);
 /// If verbose, also the route that found it.
 [[nodiscard]] std::string asText(const answers::FindAnswer& answer, bool isVerbose);
 [[nodiscard]] std::string asText(const answers::QuestionAnswer& answer, bool isVerbose);

@@ -28,8 +28,9 @@ std::string asText(const SceneFindAnswer& answer, const SceneFind& of)
 {
     const LeastMotion& motions = answer.motions;
     const answers::SceneSchedule& schedule = answer.schedule;
-    std::string text =
-        of.lines(motions.status) + fmt::format("frequency   {:.6g} Hz\n", 1.0 / schedule.period());
+    std::string text = of.lines(motions.status) +
+                       fmt::format("frequency   {:.6g} Hz\n", 1.0 / schedule.period()) +
+                       setText(motions.kind, motions.dimension, motions.kernelDimension);
     const std::string limited =
         schedule.strainLimit ? fmt::format(" with strain >= -{:.6g}", *schedule.strainLimit) : "";
     if (motions.status == Status::none) {
@@ -60,7 +61,7 @@ std::string asText(const SceneFindAnswer& answer, const SceneFind& of)
         text += fmt::format("residual    {:.2g}\n{}", motions.residuals.worst(),
                             cli::asText(answer.stability));
     }
-    return text;
+    return of.call.common.isVerbose ? text + cli::asText(motions.how) : text;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "backend_choice.hpp"
 #include "faults.hpp"
 #include "network_points.hpp"
 
@@ -122,6 +123,55 @@ void proveStrain(LeastMotion& motion, Network network, const std::vector<Contact
     }
 }
 
+/// Of a schedule whose least motion is known: the one of a wish in its place.
+void enterWish(LeastMotion& least, const NetworkBlocks& blocks, double largest,
+               const NetworkWish& wish, const FindOptions& options)
+{
+    if (wish.isOfLeast() && options.solver == automaticChoice) {
+        return;
+    }
+    const Network& network = blocks.network();
+    const std::vector<double> leastWaves = std::move(least.motion->waves);
+    least.motion.reset();
+    if (wish.energy && least.provedEnergy > *wish.energy) {
+        least.status = Status::none;
+        return;
+    }
+    least.status = Status::undecided;
+    // But for that of least energy, motions have different waves in a block.
+    const NetworkBlocks single(network, blocks.schedule(), wish.isOfLeast());
+    if (wish.target) {
+        LeastMotion near = leastMotion(single, {.absent = largest,
+                                                .tolerance = networkTolerance,
+                                                .target = wish.target,
+                                                .cancel = options.cancel});
+        near.multipliers = std::move(least.multipliers);
+        near.provedEnergy = least.provedEnergy;
+        near.kind = least.kind;
+        near.dimension = least.dimension;
+        least.how.solver.iterations += near.how.solver.iterations;
+        near.how = std::move(least.how);
+        least = std::move(near);
+        return;
+    }
+    NetworkPoints points(single, options);
+    const NetworkPoint point = wish.energy ? points.ofEnergy(*wish.energy, leastWaves)
+                               : wish.objective == Objective::maxEnergy
+                                   ? points.ofMostEnergy(largest)
+                               : wish.isOfLeast() ? points.extreme(Objective::minEnergy)
+                                                  : points.extreme(wish.objective);
+    least.detail = point.detail;
+    least.how.solver.iterations += point.iterations;
+    if (!point.solver.empty()) {
+        enterSolver(least.how, point.solver);
+    }
+    if (point.detail.empty() &&
+        enterMotion(least, single, points.motion(point), options.tolerance) &&
+        wish.objective == Objective::minPeakStrain) {
+        proveStrain(least, network, blocks.schedule(), largest, options.cancel);
+    }
+}
+
 }  // namespace
 
 LeastMotion wishedMotion(const Network& network, const std::vector<ContactSpan>& schedule,
@@ -130,39 +180,25 @@ LeastMotion wishedMotion(const Network& network, const std::vector<ContactSpan>&
     if (wish.energy && wish.objective != Objective::automatic && wish.objective != Objective::any) {
         throwFault("objective", name(wish.objective), "auto|any when an energy is held");
     }
-    LeastMotion least = leastMotion(network, schedule, largest, options.cancel);
-    if (least.status != Status::found || wish.isOfLeast()) {
-        return least;
+    requireBackend(options.solver);
+    if (options.solver == closedForm) {
+        throwFault("solver", options.solver, "auto or a back end for programs");
     }
-    const std::vector<double> leastWaves = std::move(least.motion->waves);
-    least.motion.reset();
-    if (wish.energy && least.provedEnergy > *wish.energy) {
-        least.status = Status::none;
-        return least;
+    requireKnown(network, schedule);
+    const Stopwatch watch;
+    const NetworkBlocks blocks(network, schedule);
+    LeastMotion least = leastMotion(blocks, {.absent = largest,
+                                             .tolerance = networkTolerance,
+                                             .asksSet = true,
+                                             .cancel = options.cancel});
+    const std::int64_t iterations = least.how.solver.iterations;
+    least.how = howOf(blocks, "bars in a row: no closed form");
+    least.how.solver.iterations = iterations;
+    if (least.status == Status::found) {
+        prove(least, blocks, network, options.cancel);
+        enterWish(least, blocks, largest, wish, options);
     }
-    least.status = Status::undecided;
-    // Other motions have different waves in a block.
-    const NetworkBlocks single(network, schedule, false);
-    if (wish.target) {
-        LeastMotion near = leastMotion(single, {.absent = largest,
-                                                .tolerance = networkTolerance,
-                                                .target = wish.target,
-                                                .cancel = options.cancel});
-        near.multipliers = std::move(least.multipliers);
-        near.provedEnergy = least.provedEnergy;
-        return near;
-    }
-    NetworkPoints points(single, options);
-    const NetworkPoint point = wish.energy ? points.ofEnergy(*wish.energy, leastWaves)
-                               : wish.objective == Objective::maxEnergy
-                                   ? points.ofMostEnergy(largest)
-                                   : points.extreme(wish.objective);
-    least.detail = point.detail;
-    if (point.detail.empty() &&
-        enterMotion(least, single, points.motion(point), options.tolerance) &&
-        wish.objective == Objective::minPeakStrain) {
-        proveStrain(least, network, schedule, largest, options.cancel);
-    }
+    least.how.solver.seconds = watch.seconds();
     return least;
 }
 

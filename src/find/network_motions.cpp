@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "energy_floor.hpp"
+#include "network_set.hpp"
 #include "periodic_multipliers.hpp"
 
 namespace signorini {
@@ -104,6 +105,7 @@ private:
             result_.kernelDimension = kernel->dimension;
         }
         NetworkRows<Number> rows = rowsOf(blocks_, *kernel);
+        const Eigen::Index unlimited = rows.system.rhs.size();
         // Waves that constant forces make are part of the energy, and of the way to a target.
         VectorOf<Number> from = -steadyCoordinates(blocks_, *kernel);
         if (demands_.target) {
@@ -116,7 +118,7 @@ private:
             system.rhs -= system.rows * from;
             least = leastNorm(system, broken<Number>, std::sqrt(demands_.absent * hugeFactor),
                               demands_.cancel);
-            result_.iterations += least.steps;
+            result_.how.solver.iterations += least.steps;
         } while (least.end == LeastNormEnd::found &&
                  addBrokenStrains(rows, blocks_, *kernel, blocks_.network().strainLimit,
                                   VectorOf<Number>(from + least.z), steadyInputs(*kernel)) > 0);
@@ -144,7 +146,33 @@ private:
         }
         NetworkClaim claim{wavesAt(blocks_, *kernel, VectorOf<Number>(from + least.z), forces)};
         claim.displacements = displacementsAt(blocks_, rows, claim.waves);
-        return enterMotion(result_, blocks_, std::move(claim), demands_.tolerance);
+        const bool isFound = enterMotion(result_, blocks_, std::move(claim), demands_.tolerance);
+        if (isFound && isClear && demands_.asksSet && !isDelicate(blocks_.network())) {
+            enterSet(*kernel, rows, unlimited);
+        }
+        return isFound;
+    }
+
+    /// Of rows but for those of limits on strain, which come last.
+    template <typename Number>
+    void enterSet(const NetworkKernel<Number>& kernel, const NetworkRows<Number>& rows,
+                  Eigen::Index unlimited)
+    {
+        NetworkKernel<double> sizes;
+        sizes.firsts = kernel.firsts;
+        sizes.dimension = kernel.dimension;
+        NetworkRows<double> all;
+        all.system = {rows.system.rows.topRows(unlimited).template cast<double>(),
+                      rows.system.rhs.head(unlimited).template cast<double>(),
+                      rows.system.equalities};
+        all.conditions.assign(rows.conditions.begin(), rows.conditions.begin() + unlimited);
+        all.tied = rows.tied;
+        if (const auto dimension = dimensionOfSet(blocks_, sizes, all, demands_.cancel)) {
+            result_.dimension = *dimension;
+            result_.kind = *dimension == 0              ? SetKind::point
+                           : all.system.rhs.isZero(0.0) ? SetKind::cone
+                                                        : SetKind::polytope;
+        }
     }
 
     template <typename Number>
@@ -171,6 +199,9 @@ private:
         if (result_.provedEnergy >= demands_.absent) {
             result_.status = Status::none;
             result_.detail.clear();
+            if (reasonOf(result_, blocks_) != Reason::constraints) {
+                result_.kind = SetKind::empty;
+            }
             return true;
         }
         result_.detail = "conditions exclude each other by no more than rounding can do";
@@ -183,6 +214,28 @@ private:
 };
 
 }  // namespace
+
+Provenance howOf(const NetworkBlocks& blocks, std::string reason)
+{
+    Provenance how;
+    how.reason = std::move(reason);
+    const auto types = static_cast<std::int64_t>(blocks.types().size());
+    if (types < blocks.unit()) {
+        how.leftOut.push_back(
+            fmt::format("all but {} of the {} steps: residues mod {} obey equations of their own, "
+                        "alike in blocks",
+                        blocks.turns() * types, blocks.turns() * blocks.unit(), blocks.unit()));
+    }
+    how.leftOut.emplace_back("closure of the last flight: periodicity implies it");
+    enterSolver(how, "active-set");
+    return how;
+}
+
+void enterSolver(Provenance& how, std::string_view solver)
+{
+    how.solver.name = solver;
+    how.route = fmt::format("{} on the kernel formulation", solver);
+}
 
 LeastMotion leastMotion(const NetworkBlocks& blocks, const LeastDemands& demands)
 {

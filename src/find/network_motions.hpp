@@ -15,6 +15,7 @@
 #include "network_rows.hpp"
 #include "network_walk.hpp"
 #include "signorini/control.hpp"
+#include "signorini/find_periodic.hpp"
 #include "signorini/schedule.hpp"
 
 namespace signorini {
@@ -29,6 +30,7 @@ struct LeastDemands {
     const Network* relaxed = nullptr;
     /// Nearest to these waves (`Network::waves`), in the norm of the energy, in place of none.
     std::optional<std::vector<double>> target = {};
+    bool asksSet = false;  ///< what the set of all motions looks like, too
     Cancel cancel = {};
 };
 
@@ -37,11 +39,14 @@ struct LeastMotion {
     Status status = Status::undecided;
     std::string detail = {};                           ///< why not decided
     std::optional<std::int64_t> kernelDimension = {};  ///< if rounding does not hide it
+    /// Of all motions, whatever limits strains; asked for, and if rounding does not hide it.
+    std::optional<SetKind> kind = {};
+    std::int64_t dimension = -1;  ///< known if the kind is; -1: empty
+    Provenance how = {};
     bool isEmpty = false;  ///< rows contradict each other, as far as rounding tells
     std::optional<NetworkClaim> motion = {};  ///< found
     NetworkResiduals residuals = {};          ///< of it
     double energy = 0.0;                      ///< of it
-    std::int64_t iterations = 0;
     /// Rows in force, or those that contradict each other, those of no weight left out.
     std::vector<BlockCondition> conditions = {};
     EnergyFloor multipliers = {};  ///< none, or after `prove`
@@ -56,6 +61,11 @@ struct LeastMotion {
 /// O(G-blocks of turns waves + state^3 each, and a proof where there is none). \pre a valid
 /// network. \throws std::invalid_argument as `rowsOf` does.
 [[nodiscard]] LeastMotion leastMotion(const NetworkBlocks& blocks, const LeastDemands& demands);
+
+/// How an answer was got so far: why so, what blocks leave out, and the active set method.
+[[nodiscard]] Provenance howOf(const NetworkBlocks& blocks, std::string reason);
+/// Who solved it in the end.
+void enterSolver(Provenance& how, std::string_view solver);
 
 /// The coordinates of what is nearest to waves, in the norm of the energy: x^T Z times them for
 /// each x of the basis. O(M coordinates).

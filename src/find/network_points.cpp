@@ -163,8 +163,9 @@ NetworkPoint NetworkPoints::extreme(Objective objective)
     }
     program_.linear.setZero();
     program_.quadratic.resize(0);
-    if (objective == Objective::minEnergy) {
+    if (kernel_ && objective == Objective::minEnergy) {
         program_.quadratic.setConstant(program_.variables(), 2.0);
+        program_.linear = 2.0 * steadyCoordinates(blocks_, *kernel_);
     } else {
         // Where nothing can press the impulse is rounding.
         constexpr double rounding = 1e-11;

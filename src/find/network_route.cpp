@@ -98,7 +98,8 @@ public:
     Claim answer()
     {
         const Stopwatch watch;
-        explain();
+        how_ = howOf(blocks_,
+                     fmt::format("{} segments: no closed form", options_.scene.segments.size()));
         Claim claim{{}, std::string()};
         claim.answer = decide();
         claim.how = std::move(how_);
@@ -109,39 +110,26 @@ public:
 private:
     using Answer = std::variant<State, Absence, std::string>;
 
-    void explain()
-    {
-        how_.reason = fmt::format("{} segments: no closed form", options_.scene.segments.size());
-        const auto types = static_cast<std::int64_t>(blocks_.types().size());
-        if (types < blocks_.unit()) {
-            how_.leftOut.push_back(fmt::format(
-                "all but {} of the {} steps: residues mod {} obey equations of their "
-                "own, alike in blocks",
-                blocks_.turns() * types, blocks_.turns() * blocks_.unit(), blocks_.unit()));
-        }
-        how_.leftOut.emplace_back("closure of the last flight: periodicity implies it");
-        name("active-set");
-    }
-
-    void name(std::string_view method)
-    {
-        how_.solver.name = method;
-        how_.route = fmt::format("{} on the kernel formulation", method);
-    }
-
     [[nodiscard]] LeastDemands demands() const
     {
         return {.absent = hugeEnergyRatio * firstEnergy(request_.schedule),
                 .tolerance = options_.tolerance,
                 .relaxed = &relaxed_,
+                .asksSet = !std::isfinite(options_.tipFloor),
                 .cancel = options_.cancel};
     }
 
     Answer decide()
     {
         LeastMotion least = leastMotion(blocks_, demands());
-        how_.solver.iterations = least.iterations;
-        request_.known.set.kernelDimension = least.kernelDimension;
+        how_.solver.iterations = least.how.solver.iterations;
+        MotionSet& set = request_.known.set;
+        set.kernelDimension = least.kernelDimension;
+        if (least.status == Status::found) {
+            const bool isSingle = least.kernelDimension == 1;
+            set.kind = isSingle ? SetKind::point : least.kind;
+            set.dimension = isSingle ? 0 : least.dimension;
+        }
         if (least.isEmpty && least.status == Status::undecided &&
             options_.strainLimit == infinity) {
             // Doubles cannot say it. Demands relaxed by the tolerance are what has to be
@@ -149,7 +137,7 @@ private:
             const SteppedBlocks relaxed = exactBlocks(request_.schedule, options_.scene,
                                                       options_.tipFloor - options_.tolerance);
             if (auto exact = proofOf(namedExactly(least, relaxed), relaxed)) {
-                request_.known.set.kind = SetKind::empty;
+                set.kind = SetKind::empty;
                 return Absence{reasonFor(least), SteppedProof{std::move(*exact), options_.tipFloor,
                                                               options_.tolerance}};
             }
@@ -160,7 +148,7 @@ private:
         if (least.status == Status::none) {
             const Reason reason = reasonFor(least);
             if (reason != Reason::constraints) {
-                request_.known.set.kind = SetKind::empty;
+                set.kind = SetKind::empty;
             }
             return absenceOf(least, reason);
         }
@@ -236,8 +224,6 @@ private:
         MotionSet& set = request_.known.set;
         set.energy = {energy, std::nan("")};
         if (set.kernelDimension == 1) {
-            set.kind = SetKind::point;
-            set.dimension = 0;
             set.energy->most = energy;
         }
     }
@@ -267,7 +253,7 @@ private:
         wanted.target = wavesOf(blocks_.network(), *options_.target);
         const NetworkBlocks single(blocks_.network(), blocks_.schedule(), false);
         const LeastMotion near = leastMotion(single, wanted);
-        how_.solver.iterations += near.iterations;
+        how_.solver.iterations += near.how.solver.iterations;
         if (near.status != Status::found) {
             return fmt::format("active-set: {}", near.detail);
         }
@@ -278,7 +264,7 @@ private:
     {
         how_.solver.iterations += point.iterations;
         if (!point.solver.empty()) {
-            name(point.solver);
+            enterSolver(how_, point.solver);
         }
         if (!point.detail.empty()) {
             return std::move(point.detail);

@@ -158,7 +158,15 @@ def forge_rows(forger):
     bars = ["--scene", "clamp 4 gap=1e-3 5:1.3 clamp"]
     none, motion = forger.proof("6", "16", *bars), forger.proof("6", "36", "--scene", "clamp 12 stop=1e-3")
     forger.say(certificate.check, none, "from which frequency_ratio follows")
-    forger.say(certificate.check, motion, "not checked: contact", "physical, admissible")
+    forger.say(certificate.check, motion, "not checked: contact", "physical, admissible",
+               "solution_set, route, route_reason, left_out, solver")
+    for answer, kind in ((none, "point"), (motion, "empty")):
+        forger.changed(certificate.check, answer, f"a set that is {kind}",
+                       lambda a: a["solution_set"].update(kind=kind, dimension=None))
+    forger.changed(certificate.check, none, "an empty set of a dimension",
+                   lambda a: a["solution_set"].update(dimension=0))
+    for name in ("solution_set", "route", "solver"):
+        forger.changed(certificate.check, motion, f"no {name}", lambda a: a.pop(name))
     for answer in (none, motion):
         for name in ("period_ratio", "frequency_ratio"):
             for value in (7.0, None, "1"):

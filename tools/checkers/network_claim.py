@@ -12,8 +12,10 @@ from .scene import listed, positive
 from .strains import Strains, whole
 
 SAID = ("schema", "version", "status", "scene", "reference", "cells", "schedule", "period", "period_ratio",
-        "frequency_ratio", "kernel_dimension", "contacts", "contact", "energy", "energy_ratio", "energy_ratio_proved",
-        "strains", "physical", "admissible", "residuals", "certificate", "detail")
+        "frequency_ratio", "kernel_dimension", "solution_set", "contacts", "contact", "energy",
+        "energy_ratio", "energy_ratio_proved",
+        "strains", "physical", "admissible", "residuals", "certificate", "route", "route_reason", "left_out", "solver",
+        "detail")
 NINE = Fraction(1, 10 ** 9)
 
 
@@ -220,6 +222,12 @@ def check_scene(answer):
     is_held = "reason" in answer  # an energy below the least one: motions may exist
     if is_held and (is_found or answer["reason"] != "constraints"):
         raise NoProof(f"reason: {shown(answer['reason'])}: allowed constraints, where status is none")
+    said = answer["solution_set"]
+    is_empty = not (is_found or is_held or claim.strains.all)  # by the certificate, whatever limits strains
+    if said is not None:
+        require_keys(said, "solution_set", ("kind", "dimension"))
+        if (said["kind"] == "empty") != is_empty or (is_empty and said["dimension"] is not None):
+            raise NoProof(f"solution_set: {shown(said)} is not what is proved")
     huge = HUGE if unit[0] else HUGE * claim.bars.natural(len(claim.closed)) / size
     lowest = 0 if is_found or is_held else huge
     if not lowest * (1 - NINE) <= claimed <= least:
@@ -243,5 +251,6 @@ def check_scene(answer):
     limit = "" if claim.limit is None else f" with strains >= -{float(claim.limit)!r}"
     return (f"no periodic motion of schedule {spans(answer)} of these bars{limit} below {float(claimed)!r} "
             f"{'E_1' if unit[0] else 'J'}: {words}{besides}; not checked: contact, detail, kernel_dimension, "
+            f"{'' if is_empty else 'solution_set, '}route, route_reason, left_out, solver, "
             f"{'strains, physical, admissible, residuals, ' if is_found else ''}and the frequency and damping of "
             "reference, from which frequency_ratio follows")
