@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "files.hpp"
 #include "given.hpp"
 #include "progress.hpp"
@@ -36,7 +38,10 @@ void fill(answers::FamilyList& list, const FamilyBounds& bounds, const Stops& st
         return true;
     });
     if (!isWhole && list.ended.empty()) {
+        // Who interrupts it does not wait until millions are printed.
+        constexpr std::size_t shown = 10'000;
         list.ended = "interrupted";
+        list.families.resize(std::min(list.families.size(), shown));
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "asked_period.hpp"
 #include "excited_names.hpp"
 #include "given.hpp"
 #include "parts.hpp"
@@ -64,7 +65,8 @@ FrequencyOption::FrequencyOption(const Given& given, const char* name, const cha
     if (text.ends_with("Hz")) {
         hertz = parsePositive(name, text, "Hz");
     } else if (!text.empty()) {
-        ratio = parsePositive(name, text, "omega_1");
+        ratio = text.find('/') == std::string::npos ? parsePositive(name, text, "omega_1")
+                                                    : parseFraction(name, text, "omega_1").value();
     }
 }
 

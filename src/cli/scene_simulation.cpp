@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "excited_amplitude.hpp"
@@ -92,8 +93,16 @@ NetworkStart startOf(const SimulateCommand& command, const Network& network, dou
         return startAtRest(network, base);
     }
     std::vector<double> speeds = command.speeds;
+    constexpr double largest = 1e100;  // so that energies are numbers
     for (double& speed : speeds) {
-        speed /= network.scales.velocity();
+        const double scaled = speed / network.scales.velocity();
+        const double joules = scaled * scaled * network.scales.energy();
+        if (!(std::max(std::abs(scaled), joules) <= largest)) {
+            refuse("--velocity", fmt::format("{}", speed),
+                   fmt::format("speeds whose energies are numbers: at most {:.3g} [m/s] or 1e100 J",
+                               largest * network.scales.velocity()));
+        }
+        speed = scaled;
     }
     return startWithSpeeds(network, speeds);
 }
