@@ -184,10 +184,7 @@ ExitStatus AtlasCommand::run() const
                      "--figure: allowed with a gap > 0 and one stop, whose plot it is; --csv holds "
                      "the families");
         }
-        validateOutputs({{"--database", database},
-                         {"--figure", given.text("--figure")},
-                         {"--map", given.text("--map")},
-                         {"--csv", given.text("--csv")}});
+        validateOutputs(given, {"--database", "--figure", "--map", "--csv"});
         // A picture of an atlas that exists needs no range.
         const bool draws = (given.has("--figure") || given.has("--map") || given.has("--csv")) &&
                            !common.cells && given.outside(answers::asks::atlasQuery) == nullptr &&

@@ -4,11 +4,11 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <utility>
 
 #include "arguments.hpp"
 #include "faults.hpp"
 #include "given.hpp"
-#include "mapped.hpp"
 
 namespace signorini::cli {
 
@@ -22,37 +22,44 @@ bool isStandardOutput(const std::string& path)
            file.st_dev == out.st_dev && file.st_ino == out.st_ino;
 }
 
-/// The folder of a time series, an output like its file; without a name if there is none.
-OutputOption folderOf(const OutputOption& file)
+/// The folder of a time series, an output like its file; empty: there is none.
+std::string folderOf(std::string_view option, const std::string& path)
 {
     constexpr std::string_view ending = ".pvd";
-    const bool isSeries =
-        file.option == std::string_view("--motion") && file.path.ends_with(ending);
-    return {file.option,
-            isSeries ? file.path.substr(0, file.path.size() - ending.size()) + "_files" : ""};
+    return option == "--motion" && path.ends_with(ending)
+               ? path.substr(0, path.size() - ending.size()) + "_files"
+               : "";
 }
 
 }  // namespace
 
-void validateOutputs(const std::vector<OutputOption>& outputs)
+void validateOutputs(const Given& given, const std::vector<const char*>& options)
 {
-    for (const auto& [option, path] : outputs) {
-        if (!path.empty()) {
-            (void)forFile(option, path, [&path = path] { return outputPlace(path); });
+    std::vector<std::pair<const char*, std::string>> outputs;
+    outputs.reserve(2 * options.size());
+    for (const char* option : options) {
+        if (const std::string path = given.text(option); !path.empty()) {
+            outputs.emplace_back(option, path);
         }
+    }
+    for (std::size_t k = outputs.size(); k-- > 0;) {
+        const auto& [option, path] = outputs[k];
+        if (std::string folder = folderOf(option, path); !folder.empty()) {
+            outputs.emplace_back(option, std::move(folder));
+        }
+    }
+    for (const auto& [option, path] : outputs) {
+        (void)forFile(option, path, [&path = path] { return outputPlace(path); });
     }
     Faults faults;
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         const auto& [option, path] = outputs[i];
-        if (path.empty()) {
-            continue;
-        }
         if (isStandardOutput(path)) {
             faults.add(option, path, "another file than standard output, where the report goes");
         }
         for (std::size_t k = i + 1; k < outputs.size(); ++k) {
-            if (!outputs[k].path.empty() && isSameOutput(path, outputs[k].path)) {
-                faults.add(fmt::format("{} and {}", option, outputs[k].option), path,
+            if (isSameOutput(path, outputs[k].second)) {
+                faults.add(fmt::format("{} and {}", option, outputs[k].first), path,
                            "two different files");
             }
         }
@@ -75,35 +82,23 @@ SignalsHeld::~SignalsHeld()
     (void)pthread_sigmask(SIG_SETMASK, &before_, nullptr);
 }
 
-Outputs::Outputs(const std::vector<OutputOption>& outputs, const std::vector<OutputOption>& taken)
+Outputs::Outputs(const Given& given, const std::vector<const char*>& options,
+                 const std::vector<const char*>& taken)
 {
-    std::vector<OutputOption> all = outputs;
+    std::vector<const char*> all = options;
     all.insert(all.end(), taken.begin(), taken.end());
-    for (std::size_t k = all.size(); k-- > 0;) {
-        all.push_back(folderOf(all[k]));
-    }
-    validateOutputs(all);
-    for (const auto& [option, path] : outputs) {
+    validateOutputs(given, all);
+    for (const char* option : options) {
+        const std::string path = given.text(option);
         if (path.empty()) {
             continue;
         }
-        const std::string staged = forFile(option, path, [&, option = option, &path = path] {
-            return files_.stage(path, fmt::format("{} {}", option, path));
-        });
+        const std::string staged = forFile(
+            option, path, [&] { return files_.stage(path, fmt::format("{} {}", option, path)); });
         removeOnSignal(staged);
         removeOnSignal(OutputFiles::keptName(staged));
         entries_.push_back({option, path, staged});
     }
-}
-
-Outputs::Outputs(const Given& given, std::initializer_list<const char*> options,
-                 const std::vector<OutputOption>& taken)
-    : Outputs(mapped(options,
-                     [&given](const char* option) {
-                         return OutputOption{option, given.text(option)};
-                     }),
-              taken)
-{
 }
 
 void Outputs::putMotion(const std::function<MotionSamples(std::int64_t most)>& sampled)
@@ -112,7 +107,7 @@ void Outputs::putMotion(const std::function<MotionSamples(std::int64_t most)>& s
         return;
     }
     const std::string path = entryOf("--motion").path;
-    const std::string folder = folderOf({"--motion", path}).path;
+    const std::string folder = folderOf("--motion", path);
     std::string members;
     if (!folder.empty()) {
         held_.emplace();

@@ -19,14 +19,9 @@ namespace signorini::cli {
 
 class Given;
 
-/// An option that names a file to write, and the name; empty: not given.
-struct OutputOption {
-    const char* option;
-    std::string path;
-};
-
-/// \throws std::invalid_argument if two options name one file, or one names standard output.
-void validateOutputs(const std::vector<OutputOption>& outputs);
+/// \throws std::invalid_argument if two of these options name one file, or the folder of a time
+/// series, or one names standard output.
+void validateOutputs(const Given& given, const std::vector<const char*>& options);
 
 /// Runs `action` and names the option and the user's file in what it throws.
 auto forFile(const char* option, const std::string& path, auto action)
@@ -54,14 +49,10 @@ private:
 /// a signal ends the program.
 class Outputs {
 public:
-    /// Stages those that were given. Of `taken` the names are not to be used by others, nor is that
-    /// of the folder of a time series.
+    /// Stages those of these options that were given. What `taken` name is not to be used by them.
     /// \throws as `validateOutputs`, FileError if a file could not be written.
-    explicit Outputs(const std::vector<OutputOption>& outputs,
-                     const std::vector<OutputOption>& taken = {});
-    /// The same by the names of the options.
-    Outputs(const Given& given, std::initializer_list<const char*> options,
-            const std::vector<OutputOption>& taken = {});
+    Outputs(const Given& given, const std::vector<const char*>& options,
+            const std::vector<const char*>& taken = {});
 
     [[nodiscard]] bool areWanted() const { return !entries_.empty(); }
     [[nodiscard]] bool has(std::string_view option) const

@@ -10,22 +10,10 @@
 
 namespace signorini::cli {
 
-namespace {
-
-OutputOption named(const FindCommand& words, const char* option)
-{
-    return {option, words.given.text(option)};
-}
-
-}  // namespace
-
 FindOutputs::FindOutputs(const FindCommand& words)
     : words_(words),
-      motion_(words.given, {"--state", "--motion", "--figure", "--animate"},
-              {named(words, "--certificate")}),
-      proof_(words.given, {"--certificate"},
-             {named(words, "--state"), named(words, "--motion"), named(words, "--figure"),
-              named(words, "--animate")})
+      motion_(words.given, {"--state", "--motion", "--figure", "--animate"}, {"--certificate"}),
+      proof_(words.given, {"--certificate"}, {"--state", "--motion", "--figure", "--animate"})
 {
 }
 

@@ -148,9 +148,8 @@ ExitStatus SimulateCommand::run() const
         asked.drive = answers::Drive{*force.place, *force.at(ratio * firstHertz(bar)).amplitude,
                                      ratio, phase};
     }
-    Outputs outputs(
-        given, {"--events", "--statistics", "--tip", "--figure", "--state"},
-        {{"--from", given.text("--from")}, {"--force-file", given.text("--force-file")}});
+    Outputs outputs(given, {"--events", "--statistics", "--tip", "--figure", "--state"},
+                    {"--from", "--force-file"});
     const auto usual = static_cast<double>(common.usualCells());
     const Waves waves = start(scene, excitation(asked.drive, bar, usual).baseDisplacement(0));
     const Excitation driving = excitation(asked.drive, bar, common.cells ? usual : waves.crossing);

@@ -128,8 +128,8 @@ ExitStatus runStudy(const Given& given)
     } catch (const std::invalid_argument& error) {
         throw std::invalid_argument(fmt::format("{}: {}", path, error.what()));
     }
-    validateOutputs({{"--csv", csvFile}, {"--figure", given.text("--figure")}});
-    Outputs outputs(given, {"--figure"}, {{"--csv", csvFile}});
+    validateOutputs(given, {"--csv", "--figure"});
+    Outputs outputs(given, {"--figure"}, {"--csv"});
     const RowOf row = rowsOf(question, interrupt->cancel());
     const StudyAnswer answer = answerOf(
         given, question, ranks ? ranks->dealt(text, row, threads) : byThreads(row, threads));
