@@ -109,9 +109,6 @@ private:
     void fill(AtlasDatabase& atlas, AtlasRun& run, Ranks* ranks, const AtlasOptions& options) const;
     void draw(const AtlasDatabase& atlas, std::optional<std::int64_t> cells,
               const AtlasAnswer& answer, Outputs& outputs) const;
-    /// Says it, in words after the line of the bars.
-    template <typename Answer>
-    void tellOf(const Answer& answer, const std::optional<Assembly>& bars) const;
 };
 
 AtlasCommand::AtlasCommand(const Given& words)
@@ -313,20 +310,10 @@ ExitStatus AtlasCommand::answer() const
         common.say(gaps);
     }
     if (isQuery()) {
-        tellOf(answer, answer.bars);
+        answer.bars ? report(common, answer, *answer.bars, asText(answer)) : report(common, answer);
         return answer.isEmpty() && !coverage.isDecided() ? exitUndecided : exitFound;
     }
     return exitFound;
-}
-
-template <typename Answer>
-void AtlasCommand::tellOf(const Answer& answer, const std::optional<Assembly>& bars) const
-{
-    if (bars && !common.wantsJson) {
-        writeOut(headline(*bars, networkOf(*bars)) + asText(answer));
-    } else {
-        report(common, answer);
-    }
 }
 
 void AtlasCommand::fill(AtlasDatabase& atlas, AtlasRun& run, Ranks* ranks,
@@ -397,10 +384,11 @@ ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
     AtlasBuilt built{run, database, {}};
     if (range.bars) {
         built.several = answers::severalOf(*range.bars, networkOf(*range.bars));
+        report(common, built, *range.bars, asText(built));
     } else {
         built.scene = common.scene();
+        report(common, built);
     }
-    tellOf(built, range.bars);
     if (!run.isFinished()) {
         common.say(
             fmt::format("interrupted after {} of {} batches; the same call with --resume continues",

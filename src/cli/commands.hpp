@@ -8,6 +8,8 @@
 
 namespace signorini::cli {
 
+struct ForceOptions;
+
 [[nodiscard]] ExitStatus runFind(const Given& given);
 [[nodiscard]] ExitStatus runContinuum(const Given& given);
 [[nodiscard]] ExitStatus runModes(const Given& given);
@@ -15,6 +17,10 @@ namespace signorini::cli {
 [[nodiscard]] ExitStatus runFamilies(const Given& given);
 [[nodiscard]] ExitStatus runAtlas(const Given& given);
 [[nodiscard]] ExitStatus runResponse(const Given& given);
+/// The same of bars in a row, whose words say what is driven, shaken and damped, or of a bar of
+/// several segments under the harmonic itself.
+[[nodiscard]] ExitStatus respondInBars(const Given& given, const CommonOptions& common,
+                                       const ForceOptions& force, const Assembly& assembly);
 [[nodiscard]] ExitStatus runSimulate(const Given& given);
 [[nodiscard]] ExitStatus runSweep(const Given& given);
 [[nodiscard]] ExitStatus runStudy(const Given& given);

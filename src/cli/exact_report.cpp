@@ -25,21 +25,16 @@ std::string countOf(const ExactAnswer& answer, std::size_t least)
 /// The largest strain of all motions of the list.
 std::string strainText(const ExactAnswer& answer)
 {
-    double worst = 0.0;
-    std::string text;
-    for (const ExactFrequency& at : answer.frequencies) {
-        for (const ExactMotion& one : at.motions) {
-            const Physical seen = physicalOf(one.motion.extremes, answer.bar);
-            const double strain = std::max(seen.peakCompression, seen.peakTension);
-            if (strain > worst) {
-                worst = strain;
-                text = worstStrainText(strain, seen.peakStress,
-                                       answers::hertzOf(at.frequencyRatio, answer.bar),
-                                       answer.yieldStress);
-            }
-        }
+    const auto strainOf = [](const ExactMotion& one) {
+        return std::max(one.motion.extremes.peakCompression, one.motion.extremes.peakTension);
+    };
+    const auto [at, worst] = largestMotion(answer.frequencies, strainOf);
+    if (worst == nullptr) {
+        return {};
     }
-    return text;
+    const Physical seen = physicalOf(worst->motion.extremes, answer.bar);
+    return worstStrainText(std::max(seen.peakCompression, seen.peakTension), seen.peakStress,
+                           answers::hertzOf(at->frequencyRatio, answer.bar), answer.yieldStress);
 }
 
 }  // namespace
@@ -57,19 +52,12 @@ std::string asText(const ExactAnswer& answer)
     print(text,
           "several     {}: what a bar at rest settles on, where one is not known to attract\n",
           countOf(answer, 2));
-    const ExactFrequency* worst = nullptr;
-    double force = 0.0;
-    for (const ExactFrequency& at : answer.frequencies) {
-        for (const ExactMotion& one : at.motions) {
-            if (one.motion.extremes.peakForce > force) {
-                force = one.motion.extremes.peakForce;
-                worst = &at;
-            }
-        }
-    }
+    const auto [at, worst] = largestMotion(
+        answer.frequencies, [](const ExactMotion& one) { return one.motion.extremes.peakForce; });
     if (worst != nullptr) {
         print(text, "worst       force {:.6g} N at {:.6g} Hz\n",
-              force * answers::forceUnit(answer.bar), hertz(worst->frequencyRatio));
+              worst->motion.extremes.peakForce * answers::forceUnit(answer.bar),
+              hertz(at->frequencyRatio));
     }
     text.append(strainText(answer));
     for (const ExactBranch& branch : answer.branches) {

@@ -153,21 +153,22 @@ std::string asText(const FarkasCertificate& c)
         c.pressure.size(), c.penetration.size());
 }
 
-std::string asText(const ProgramProof& proof)
+std::string farkasAsText(const auto& multipliers, Formulation rows)
 {
     return fmt::format(
         "Farkas certificate, checked in rationals: {} equalities and {} inequalities of the {} "
         "formulation",
-        proof.multipliers.equalities.size(), proof.multipliers.inequalities.size(),
-        name(proof.rows));
+        multipliers.equalities.size(), multipliers.inequalities.size(), name(rows));
+}
+
+std::string asText(const ProgramProof& proof)
+{
+    return farkasAsText(proof.multipliers, proof.rows);
 }
 
 std::string asText(const SteppedProof& proof)
 {
-    return fmt::format(
-        "Farkas certificate, checked in rationals: {} equalities and {} inequalities of the joints "
-        "formulation",
-        proof.multipliers.equalities.size(), proof.multipliers.inequalities.size());
+    return farkasAsText(proof.multipliers, Formulation::joints);
 }
 
 std::string asText(const EnergyFloorProof& proof)

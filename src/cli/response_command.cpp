@@ -13,7 +13,6 @@
 #include "progress.hpp"
 #include "refined_response.hpp"
 #include "reports.hpp"
-#include "response_command.hpp"
 #include "scene_options.hpp"
 #include "share_work.hpp"
 #include "stepped_bar.hpp"

@@ -146,8 +146,7 @@ ExitStatus continuumInBars(const Given& given, const CommonOptions& common,
     } else if (outputs.areWanted()) {
         common.say("no motion to write, so no file was written");
     }
-    writeOut(common.wantsJson ? asLine(wholeJsonOf(answer))
-                              : headline(assembly, network) + asText(answer));
+    report(common, answer, assembly, asText(answer));
     Physical worst;
     for (const answers::SceneCurvePoint& point : answer.points()) {
         worst.peakCompression = std::max(worst.peakCompression, point.strains().compression);

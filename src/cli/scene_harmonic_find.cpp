@@ -57,7 +57,6 @@ ExitStatus findHarmonicInBars(const FindCommand& call, const Assembly& assembly)
              call.given.text("--contacts"),
              "1; more of one bar of equal segments, which is followed until it settles");
     requireOfBars(call, assembly);
-    const Network network = networkOf(assembly);
     FindOutputs files(call);
     const std::int64_t steps = answers::stepsOf(assembly, call.question.ofBars(), call.cycles);
     const answers::SceneHarmonicAnswer answer =
@@ -73,8 +72,7 @@ ExitStatus findHarmonicInBars(const FindCommand& call, const Assembly& assembly)
         warnOf(motion.strains, call);
     }
     call.common.useOneThread();
-    writeOut(call.common.wantsJson ? asLine(wholeJsonOf(answer))
-                                   : headline(assembly, network) + asText(answer));
+    report(call.common, answer, assembly, asText(answer));
     return exitStatusOf(answer.status());
 }
 

@@ -77,8 +77,7 @@ ExitStatus findPeriodInBars(const FindCommand& call, const Assembly& assembly)
     for (const SceneFindAnswer& motion : answer.motions) {
         warnOf(*motion.strains(), call);
     }
-    writeOut(call.common.wantsJson ? asLine(wholeJsonOf(answer))
-                                   : headline(assembly, network) + asText(answer));
+    report(call.common, answer, assembly, asText(answer));
     return exitStatusOf(answer.status());
 }
 

@@ -33,7 +33,6 @@ ExitStatus reportReach(const SimulateCommand& command)
     const Assembly assembly = command.common.assembly();
     const answers::ForceRange answer = answers::forceRangeOf(assembly, low, high, *command.time);
     std::string text =
-        headline(assembly, networkOf(assembly)) +
         fmt::format("force       any from {:g} to {:g} N, for {:.6g} s\n", low, high, answer.time);
     for (const answers::ContactPeaks& one : answer.contacts) {
         text += fmt::format("contact {:<4}{}\n            {}\n", one.contact.number,
@@ -41,7 +40,7 @@ ExitStatus reportReach(const SimulateCommand& command)
     }
     text += answer.closes ? fmt::format("closes      contact {} can, then\n", *answer.closes)
                           : "closes      no contact, under no such force: proved\n";
-    writeOut(command.common.wantsJson ? asLine(wholeJsonOf(answer)) : text);
+    report(command.common, answer, assembly, text);
     command.common.useOneThread();
     return exitFound;
 }

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "arguments.hpp"
 #include "json.hpp"
 #include "network.hpp"
 #include "scene_answer.hpp"
@@ -14,5 +15,13 @@ using answers::contactsOf;
 
 /// The line that restates the bars.
 [[nodiscard]] std::string headline(const Assembly& assembly, const Network& network);
+
+/// Writes an answer about bars to standard output: JSON, or that line and the words.
+void report(const CommonOptions& common, const auto& answer, const Assembly& assembly,
+            const std::string& words)
+{
+    writeOut(common.wantsJson ? asLine(wholeJsonOf(answer))
+                              : headline(assembly, networkOf(assembly)) + words);
+}
 
 }  // namespace signorini::cli

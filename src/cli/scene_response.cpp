@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <array>
 
+#include "commands.hpp"
 #include "files.hpp"
 #include "force_options.hpp"
+#include "given.hpp"
 #include "hints.hpp"
 #include "printing.hpp"
 #include "progress.hpp"
 #include "reports.hpp"
-#include "response_command.hpp"
 #include "scene_figures.hpp"
 #include "scene_report.hpp"
 #include "scene_response_answer.hpp"
@@ -47,18 +48,12 @@ void takeHertz(const Given& given, const Network& network, answers::SceneRange& 
 /// The largest strain of all motions, and its stress where that is known.
 std::string strainText(const SceneResponse& answer)
 {
-    answers::SceneStrains worst;
-    double hertz = 0.0;
-    for (const SceneFrequency& at : answer.frequencies) {
-        for (const SceneHarmonicMotion& motion : at.motions) {
-            if (motion.strains.largest() > worst.largest()) {
-                worst = motion.strains;
-                hertz = at.hertz;
-            }
-        }
-    }
-    return hertz > 0.0 ? worstStrainText(worst.largest(), worst.stress, hertz, answer.yieldStress)
-                       : std::string();
+    const auto [at, worst] =
+        largestMotion(answer.frequencies,
+                      [](const SceneHarmonicMotion& motion) { return motion.strains.largest(); });
+    return worst != nullptr ? worstStrainText(worst->strains.largest(), worst->strains.stress,
+                                              at->hertz, answer.yieldStress)
+                            : std::string();
 }
 
 /// How many motions attract, where that is known of any.
@@ -127,20 +122,13 @@ std::string asText(const SceneResponse& answer)
         }),
         contacts, range.isExact ? ": computed, not proved" : "");
     text += pairsText(answer);
-    const SceneHarmonicMotion* worst = nullptr;
-    double hertz = 0.0;
-    for (const SceneFrequency& at : answer.frequencies) {
-        for (const SceneHarmonicMotion& motion : at.motions) {
-            if (worst == nullptr || motion.value.peakForce > worst->value.peakForce) {
-                worst = &motion;
-                hertz = at.hertz;
-            }
-        }
-    }
+    const auto [worstAt, worst] =
+        largestMotion(answer.frequencies,
+                      [](const SceneHarmonicMotion& motion) { return motion.value.peakForce; });
     if (worst != nullptr) {
         text += fmt::format("worst       force {:.6g} N at contact {}, at {:.6g} Hz\n",
                             worst->value.peakForce * answer.scales.force(),
-                            worst->value.contact + 1, hertz);
+                            worst->value.contact + 1, worstAt->hertz);
     }
     text += strainText(answer) + stabilityText(answer);
     const auto open = std::find_if(answer.frequencies.begin(), answer.frequencies.end(),
@@ -272,8 +260,7 @@ ExitStatus respondInBars(const Given& given, const CommonOptions& common, const 
     } else {
         common.say("interrupted; the list is not complete");
     }
-    writeOut(common.wantsJson ? asLine(wholeJsonOf(answer))
-                              : headline(assembly, network) + asText(answer));
+    report(common, answer, assembly, asText(answer));
     return exitStatusOf(answer.status());
 }
 

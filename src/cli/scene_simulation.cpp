@@ -107,10 +107,9 @@ NetworkStart startOf(const SimulateCommand& command, const Network& network, dou
     return startWithSpeeds(network, speeds);
 }
 
-std::string asText(const SceneSimulationAnswer& answer, const Network& network)
+std::string asText(const SceneSimulationAnswer& answer)
 {
-    std::string text = headline(answer.bars.assembly, network);
-    text +=
+    std::string text =
         fmt::format("{:<12}{:.6g} s, {} events\n", answer.isComplete ? "simulated" : "interrupted",
                     answer.time, answer.events);
     for (const answers::ContactTotals& total : answer.contacts) {
@@ -208,8 +207,7 @@ ExitStatus simulateScene(const SimulateCommand& command)
     } else {
         command.common.say("interrupted; no file was written");
     }
-    writeOut(command.common.wantsJson ? asLine(wholeJsonOf(answer))
-                                      : asText(answer, question.network));
+    report(command.common, answer, question.assembly, asText(answer));
     command.common.useOneThread();
     return answer.isComplete ? exitFound : exitUndecided;
 }

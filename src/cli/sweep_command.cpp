@@ -208,11 +208,8 @@ ExitStatus SweepCommand::run(SweepAnswer answer, const Network* network) const
         common.say(fmt::format("interrupted; the list is not complete, and no file was written{}",
                                journal ? "; the same call with --resume continues" : ""));
     }
-    if (network != nullptr && !common.wantsJson) {
-        writeOut(headline(common.assembly(), *network) + asText(answer));
-    } else {
-        report(common, answer, {}, force.ratio);
-    }
+    network != nullptr ? report(common, answer, common.assembly(), asText(answer))
+                       : report(common, answer, {}, force.ratio);
     return exitStatusOf(answer.status());
 }
 
