@@ -112,7 +112,6 @@ void requireTarget(const FindOptions& options, const std::string& target)
 FindCommand::FindCommand(const Given& words)
     : given(words),
       common(words),
-      question(words),
       force(words),
       cycles(words.whole("--cycles").value_or(1)),
       yieldStress(words.number("--yield-stress"))
@@ -148,21 +147,50 @@ void FindCommand::warn(const Physical& physical) const
 
 unsigned FindCommand::kind() const
 {
-    return question.isAsked() ? isForced() ? asks::forcedPeriod : asks::period
-           : isForced()       ? asks::forced
-                              : asks::schedule;
+    return hasPeriod()  ? isForced() ? asks::forcedPeriod : asks::period
+           : isForced() ? asks::forced
+                        : asks::schedule;
+}
+
+std::pair<std::string, std::string> FindCommand::period() const
+{
+    std::pair<std::string, std::string> asked;
+    for (const char* option : {"--period", "--frequency", "--hertz"}) {
+        if (given.has(option)) {
+            refuseIf(!asked.first.empty(), "--period, --frequency, --hertz: allowed one of them");
+            asked = {option, given.text(option)};
+        }
+    }
+    if (const auto hertz = given.number("--hertz")) {
+        asked.second = fmt::format("{}", *hertz);  // without a unit
+    }
+    return asked;
+}
+
+std::int64_t FindCommand::stepsOn(const Assembly& assembly, std::int64_t ofCycles) const
+{
+    const auto [option, word] = period();
+    answers::AskedSteps asked{.hertz = given.number("--hertz")};
+    if (option == "--period") {
+        asked.period = parseNumber(option, word, "L/c").value;
+    } else if (option == "--frequency") {
+        asked.frequency = parseNumber(option, word, "ω₁").value;
+    }
+    return answers::stepsOf(assembly, asked, ofCycles);
 }
 
 ExitStatus FindCommand::findInBars() const
 {
-    return !question.isAsked() ? findInScene(*this)
-           : isForced()        ? findHarmonicInBars(*this, common.assembly())
-                               : findPeriodInBars(*this, common.assembly());
+    return !hasPeriod() ? findInScene(*this)
+           : isForced() ? findHarmonicInBars(*this, common.assembly())
+                        : findPeriodInBars(*this, common.assembly());
 }
 
 ExitStatus FindCommand::run() const
 {
-    if (question.isAsked() && isForced()) {
+    refuseIf(hasPeriod() && !given.words().empty(),
+             "NC NF clash with --period, --frequency and --hertz: allowed one of them");
+    if (hasPeriod() && isForced()) {
         refuseIf(given.has("--state"),
                  "--state: allowed of a schedule, or without force: a state file holds waves that "
                  "are constant on pieces, and under an exact harmonic they change all along; "
@@ -172,7 +200,7 @@ ExitStatus FindCommand::run() const
                  "each motion says by itself how disturbances grow");
     }
     if (common.hasScene()) {
-        const bool isOfBar = question.isAsked() && (!isForced() || force.ratio);
+        const bool isOfBar = hasPeriod() && (!isForced() || force.ratio);
         if (given.outside(asks::network) == nullptr && !(isOfBar && barOf(common.assembly()))) {
             return findInBars();
         }
@@ -188,16 +216,16 @@ ExitStatus FindCommand::run() const
     (void)yieldStressOf(given, unitsOfBar(bar));
     refuseIf(!haveOneSpeed(bar.segments) && given.text("--motion").ends_with(".pvd"), "--motion",
              given.text("--motion"), "FILE.csv|.vtk of segments with several speeds");
-    refuseIf(question.isAsked() && !given.words().empty(),
-             "NC NF clash with --period, --frequency and --hertz: allowed one of them");
-    if (question.isAsked() && !isForced() && !isUniform(bar.segments)) {
+    if (hasPeriod() && !isForced() && !isUniform(bar.segments)) {
         return findPeriodInBars(*this, answers::assemblyOf(bar, common.usualCells(), {}));
     }
     ExitStatus status = exitUndecided;
     if (asked == asks::forcedPeriod) {
         status = answerHarmonic(*this);
     } else if (asked == asks::period) {
-        status = answerQuestion(question.on(common.usualCells(), bar.bar), completed(*this));
+        const auto [option, word] = period();
+        status = answerQuestion(answers::periodOnGrid(option, word, common.usualCells(), bar.bar),
+                                completed(*this));
     } else {
         const Schedule schedule{common.usualCells(), parsePhases(given.words()), stopsOf(bar)};
         status = asked == asks::forced ? answerForced(*this, schedule)

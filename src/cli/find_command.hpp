@@ -1,15 +1,21 @@
 #pragma once
 /// \file
 /// signorini find NC NF [NC NF ...], or --period|--frequency|--hertz in place of the steps.
+///
+/// A period is a question in physics: all motions of it, whatever their schedules. T = n/N names
+/// w = 2N/G and nu = n/G, G = gcd(2N, n), and these the families: every orbit with one contact in a
+/// period that presses the wall belongs to one of them. Where nu = 2 (an odd multiple w of omega_1)
+/// linear motions have this period, too: those that touch the wall without force are one more set.
 
 #include <string>
+#include <utility>
 
 #include "arguments.hpp"
 #include "find_outputs.hpp"
 #include "force_options.hpp"
 #include "given.hpp"
 #include "interrupt.hpp"
-#include "question.hpp"
+#include "question_answer.hpp"
 #include "signorini/output.hpp"
 #include "state_table.hpp"
 
@@ -21,7 +27,6 @@ struct FindRequest;
 struct FindCommand {
     const Given& given;
     CommonOptions common;
-    PeriodQuestion question;
     ForceOptions force;
     std::int64_t cycles;  ///< of the force in a period
     FindOptions options;
@@ -31,6 +36,15 @@ struct FindCommand {
 
     [[nodiscard]] ExitStatus run() const;
     [[nodiscard]] bool isForced() const { return force.ratio || force.place || force.amplitude; }
+    /// Is a period asked for?
+    [[nodiscard]] bool hasPeriod() const
+    {
+        return given.has("--period") || given.has("--frequency") || given.has("--hertz");
+    }
+    /// Its option and word. \pre hasPeriod(). \throws std::invalid_argument if several are given.
+    [[nodiscard]] std::pair<std::string, std::string> period() const;
+    /// Its steps on bars in a row, with so many cycles in it. \throws also as answers::stepsOf.
+    [[nodiscard]] std::int64_t stepsOn(const Assembly& assembly, std::int64_t ofCycles) const;
 
     /// Says on stderr where a motion is not what a bar could do.
     void warn(const Physical& physical) const;

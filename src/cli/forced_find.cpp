@@ -71,7 +71,9 @@ ExitStatus answerHarmonic(const FindCommand& call)
                                   answers::assemblyOf(scene, common.usualCells(), force.damping()));
     }
     FindOutputs files(call);
-    const ExactPeriod period = call.question.exactly(common.usualCells(), scene.bar, call.cycles);
+    const auto [option, word] = call.period();
+    const ExactPeriod period =
+        answers::periodExactly(option, word, common.usualCells(), scene.bar, call.cycles);
     const double frequencyRatio = 4.0 * static_cast<double>(call.cycles) / period.value();
     const ForceOptions displaced = force.at(frequencyRatio * firstHertz(scene.bar));
     (void)displaced.scaledAmplitude(scene.bar);

@@ -51,14 +51,12 @@ ExitStatus findHarmonicInBars(const FindCommand& call, const Assembly& assembly)
     force.requireAmplitude();
     refuseIf(call.given.has("--certificate"), "--certificate", call.given.text("--certificate"),
              "none with --period, --frequency and --hertz of several bars or segments");
-    refuseIf(!call.given.words().empty(),
-             "NC NF clash with --period, --frequency and --hertz: allowed one of them");
     refuseIf(call.given.whole("--contacts").value_or(1) != 1, "--contacts",
              call.given.text("--contacts"),
              "1; more of one bar of equal segments, which is followed until it settles");
     requireOfBars(call, assembly);
     FindOutputs files(call);
-    const std::int64_t steps = answers::stepsOf(assembly, call.question.ofBars(), call.cycles);
+    const std::int64_t steps = call.stepsOn(assembly, call.cycles);
     const answers::SceneHarmonicAnswer answer =
         answers::within(call.given.number("--strain-limit"),
                         answers::answerOf(assembly, *force.place, call.cycles, steps,

@@ -48,13 +48,11 @@ ExitStatus findPeriodInBars(const FindCommand& call, const Assembly& assembly)
             call.given.has(option),
             fmt::format("{}: allowed of a period only with one bar of equal segments", option));
     }
-    refuseIf(!call.given.words().empty(),
-             "NC NF clash with --period, --frequency and --hertz: allowed one of them");
     requireOfBars(call, assembly);
     FindOutputs files(call);
     Network network = networkOf(assembly);
     answers::limitStrain(network, assembly, call.given.number("--strain-limit"));
-    const std::int64_t steps = answers::stepsOf(assembly, call.question.ofBars(), 1);
+    const std::int64_t steps = call.stepsOn(assembly, 1);
     const NetworkWish wish = wishOf(call, assembly, network);
     FindOptions options = call.options;
     call.requireTried(steps);
