@@ -20,14 +20,8 @@ namespace signorini::cli {
 
 namespace {
 
-/// What rank 0 calls the workers to: batches first, first + 1, ... of a range. It travels as text;
-/// an empty one sends them home.
-struct Call {
-    AtlasRange range;
-    std::int64_t first = 0;
-};
-
-/// Sends a text from rank 0 to all, and returns it.
+/// Sends a text from rank 0 to all, and returns it: what workers are called to, as a number or a
+/// few, a mark, and what they are of; an empty one sends them home.
 std::string broadcast(std::string text)
 {
     auto size = static_cast<std::int64_t>(text.size());
@@ -35,20 +29,6 @@ std::string broadcast(std::string text)
     text.resize(static_cast<std::size_t>(size));
     MPI_Bcast(text.data(), static_cast<int>(size), MPI_CHAR, 0, MPI_COMM_WORLD);
     return text;
-}
-
-std::string textOf(const Call& call)
-{
-    return std::to_string(call.first) + ' ' + signorini::textOf(call.range);
-}
-
-std::optional<Call> callOf(const std::string& text)
-{
-    if (text.empty()) {
-        return std::nullopt;
-    }
-    const std::size_t mark = text.find(' ');
-    return Call{rangeOf(std::string_view(text).substr(mark + 1)), std::stoll(text.substr(0, mark))};
 }
 
 /// What a message means.
@@ -315,20 +295,22 @@ std::unique_ptr<BatchSource> Ranks::share(const AtlasRange& range, std::int64_t 
     auto batches =
         std::make_unique<SharedBatches>(count_, range, threads, std::move(cancel), first);
     wasCalled_ = true;
-    (void)broadcast(textOf(Call{range, first}));
+    (void)broadcast(fmt::format("{}\n{}", first, textOf(range)));
     return batches;
 }
 
 bool Ranks::serve(std::int64_t threads, const Cancel& cancel)
 {
     wasCalled_ = true;
-    const std::optional<Call> call = callOf(broadcast(""));
-    if (!call) {
+    const std::string call = broadcast("");
+    if (call.empty()) {
         return true;
     }
+    const std::size_t mark = call.find('\n');
+    const AtlasRange range = rangeOf(std::string_view(call).substr(mark + 1));
     bool isWanted = true;
     {
-        LocalBatches own(call->range, threads, cancel, call->first + rank_, count_);
+        LocalBatches own(range, threads, cancel, std::stoll(call.substr(0, mark)) + rank_, count_);
         std::optional<AtlasBatch> batch;
         while (isWanted && (batch = own.next())) {
             Packing packed;
