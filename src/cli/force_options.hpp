@@ -19,7 +19,6 @@ struct FrequencyOption {
     std::optional<double> ratio;  ///< ω/ω₁
     std::optional<double> hertz;
 
-    FrequencyOption() = default;
     /// `name` and its twin in Hz.
     FrequencyOption(const Given& given, const char* name, const char* twin);
     [[nodiscard]] bool isGiven() const { return ratio || hertz; }
@@ -38,7 +37,6 @@ struct ForceOptions {
     std::optional<double> amplitude;  ///< [N], [m], or of a derivative [m/s], [m/s²]
     int derivative = 0;               ///< of the base's displacement: 1 velocity, 2 acceleration
 
-    ForceOptions() = default;
     explicit ForceOptions(const Given& given);
 
     /// \throws std::invalid_argument naming the option that is missing.
