@@ -441,8 +441,7 @@ class _OnNoGrid(_Fields):
     p: _OfTimeRatio
     def state(self, cells: int) -> State: ...
 
-class ModeMotion(_OnNoGrid, _InPeriod, _Measured):
-    status: Literal["found", "none", "undecided"]
+class ModeMotion(_Found, _OnNoGrid, _InPeriod, _Measured):
     gravity: float
     mode: Mode
     jumps: list[tuple[int, int]]
@@ -793,8 +792,7 @@ class ForcedFrequency(_Record):
     permanent_contact: Optional[PermanentContact]
     motions: list[ForcedMotion]
 
-class ResponseData(_OfScene, _Excited):
-    status: Literal["found", "none", "undecided"]
+class ResponseData(_Found, _OfScene, _Excited):
     cells: int
     damping: Damping
     amplitude: float

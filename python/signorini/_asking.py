@@ -150,7 +150,7 @@ def gathered(asked: dict[str, Any], *states: str, segments_are_bars: bool = Fals
     """
     get = asked.get
     where, segments = get("scene"), get("segments")
-    several = isinstance(where, str) and "gravity" in asked
+    several = isinstance(where, str)
     if several:
         asked["words"], where = where, None
         if get("second_stop") is not None or segments is not None:
@@ -160,6 +160,9 @@ def gathered(asked: dict[str, Any], *states: str, segments_are_bars: bool = Fals
             raise ValueError("scene clashes with gap: allowed gap=G and stop=G among its words")
     scene = asked["scene"] = scene_of(
         where, get("bar"), get("second_stop"), segments, asked["bar_options"])
+    if where is not None and scene.words:
+        several, asked["words"] = True, scene.words
+        scene = asked["scene"] = Scene(scene.bar)  # its scales
     if not several and get("cells") is None:
         asked["cells"] = cells_of(None, scene, get("schedule", ()))
     if not several and ((segments_are_bars and scene.segments) or (

@@ -10,7 +10,7 @@ from ._asking import asks, gathered
 from ._core import AtlasFamily, AtlasRun, AtlasSchedule, Bar, Scene
 from ._progress import Progress
 from ._tables import Table
-from ._words import Number, Quantity, Segments, bar_of, fraction_of
+from ._words import Number, Quantity, Segments, bar_of, fraction_of, in_words
 from ._words import path as path_of
 
 
@@ -76,7 +76,7 @@ class Atlas:
         OSError
             If the file cannot be used.
         """
-        if isinstance(scene, str) and cells is not None:
+        if in_words(scene) and cells is not None:
             raise ValueError("cells: allowed only without a scene of words")
         asked = gathered(locals())
         asked["path"] = path_of("database", database)

@@ -77,8 +77,12 @@ class Scene(_Record, _InScene):
     segments: list[Segment]
     static_force: float
     second_stop: Optional[float]
+    words: Optional[str]
+    @overload
     def __init__(self, bar: Bar = ..., second_stop: Optional[Quantity] = ...,
                  segments: Sequence[Segment] = ...) -> None: ...
+    @overload
+    def __init__(self, words: str, bar: Bar = ...) -> None: ...
     @staticmethod
     def of_pieces(pieces: Sequence[tuple[Quantity, Quantity, Quantity, Quantity]], *,
                   gap: Quantity = ..., second_stop: Optional[Quantity] = ...,

@@ -12,8 +12,7 @@ from ._core import (Bar, Continuum, ForcedResult, HarmonicResult, Result,
 from ._progress import Progress
 from ._question import (OF_FREE, Question, ask, ask_bars, continuum_of_bars, find_bars, period_of,
                         refuse)
-from ._words import (Force, Number, Objective, Quantity, Segments, Steps,
-                     whole)
+from ._words import Force, Number, Objective, Quantity, Segments, Steps, in_words, whole
 
 
 if TYPE_CHECKING:
@@ -139,7 +138,7 @@ def find(
     if energy is not None and energy_ratio is not None:
         raise ValueError("energy clashes with energy_ratio: allowed one of them")
     where = asked["scene"]
-    if not isinstance(scene, str) and (damping is None) != (force is None):
+    if (damping is None) != (force is None) and not in_words(scene):
         raise ValueError("damping, force: allowed only together")
     is_timed = period is not None or frequency is not None or hertz is not None
     times = {"period": period, "frequency": frequency, "hertz": hertz} if is_timed else {}

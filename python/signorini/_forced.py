@@ -31,7 +31,6 @@ class Response(Table[ForcedFrequency]):
 
     if TYPE_CHECKING:
         status: str
-        found: bool
         complete: bool
         cells: int
         bar: Bar
@@ -300,7 +299,7 @@ def sweep(over: Over = "frequency", start: Quantity = 0.5, to: Quantity = 2.0, *
 
 
 @asks("simulation")
-def force_range(scene: str, low: Quantity, high: Quantity, *, time: Quantity,
+def force_range(scene: Scene | str, low: Quantity, high: Quantity, *, time: Quantity,
                 gravity: Quantity = 0.0, bar: Bar | None = None,
                 **bar_options: Quantity | None) -> ForceRange:
     """Return what any force between two bounds can do to bars at rest.

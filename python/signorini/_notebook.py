@@ -360,10 +360,7 @@ def be_at_home() -> None:
         _set(kind, "_repr_html_", html)
     for kind in (*_DRAWN, Table):
         _set(kind, "_repr_png_", png)
-    for kind in (_core.Result, _core.ForcedResult, _core.HarmonicResult, _core.SceneResult,
-                 _core.SceneForcedResult, _core.SceneHarmonicResult, _core.SceneQuestion,
-                 _core.Continuum, _core.SceneContinuum, _core.AtlasSchedule,
-                 _core.ExactResponse, _core.SceneResponse, Question, Response):
+    for kind in (Question, Response):
         _set(kind, "found", property(_found))
         _set(kind, "__bool__", _found)
     for kind, rows in ((_core.Continuum, "points"), (_core.SceneContinuum, "points"),

@@ -34,7 +34,6 @@ class Question(Table[Result]):
 
     if TYPE_CHECKING:
         status: str
-        found: bool
         cells: int
         bar: Bar
         question: QuestionPart

@@ -184,9 +184,10 @@ def frame_of(rows: Iterable[dict[str, Any]]) -> Any:
                for name in dict.fromkeys(name for row in listed for name in row)}
     # Where some rows have a record its parts are columns.
     whole = {name.rpartition(".")[0] for name in columns}
+    kinds = {name: {type(value) for value in column} for name, column in columns.items()}
     return pandas.DataFrame({
-        name: [math.nan] * len(column)
-        if all(value is None for value in column) else column
+        name: [math.nan] * len(column) if kinds[name] == {type(None)}
+        else pandas.array(column, "boolean") if kinds[name] == {bool, type(None)} else column
         for name, column in columns.items() if name not in whole})
 
 
@@ -227,6 +228,11 @@ class Table(Sequence[R], Generic[R]):
     def count(self) -> int:  # type: ignore[override]
         """How many rows: a key of answers, in place of Sequence's method."""
         return len(self._rows)
+
+    @property
+    def found(self) -> bool:
+        """Is there a row?"""
+        return len(self._rows) > 0
 
     def __eq__(self, other: object) -> bool:
         if isinstance(other, Table):

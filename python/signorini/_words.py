@@ -122,6 +122,11 @@ def scene_of(scene: Scene | None, bar: Bar | None, second_stop: Quantity | None,
     return Scene(bar_of(bar, options), second_stop, parts)
 
 
+def in_words(scene: Scene | str | None) -> bool:
+    """Is it of several bars?"""
+    return isinstance(scene, str) or scene is not None and scene.words is not None
+
+
 def cells_of(cells: int | None, scene: Scene,
              schedule: Sequence[Steps] = ()) -> int | None:
     """Cells that were given, or those of all segments; of a whole Schedule

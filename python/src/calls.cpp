@@ -80,17 +80,21 @@ std::string Asked::unitOf(const char* name) const
     return unitOfOption(name);
 }
 
-Assembly Asked::assembly() const
+Assembly assemblyIn(const std::string& words, const Bar& bar, double gravity)
 {
-    const Bar bar = scene().bar;
-    const Assembly assembly{.parts = partsOf(get<std::string>("words")),
+    const Assembly assembly{.parts = partsOf(words),
                             .length = bar.length,
                             .waveSpeed = bar.waveSpeed,
                             .axialStiffness = bar.axialStiffness,
-                            .gravity = get<double>("gravity"),
+                            .gravity = gravity,
                             .young = bar.young};
     validate(assembly);
     return assembly;
+}
+
+Assembly Asked::assembly() const
+{
+    return assemblyIn(get<std::string>("words"), scene().bar, get<double>("gravity"));
 }
 
 std::int64_t Asked::steps(const Assembly& assembly, std::int64_t cycles) const

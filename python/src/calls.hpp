@@ -23,6 +23,9 @@
 
 namespace signorini::python {
 
+/// Bars in a row, scaled by one. \throws std::invalid_argument.
+[[nodiscard]] Assembly assemblyIn(const std::string& words, const Bar& bar, double gravity = 0.0);
+
 /// Arguments of one call; what is None was not given.
 class Asked : public py::dict {
 public:

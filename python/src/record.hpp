@@ -16,6 +16,7 @@
 #include <string_view>
 #include <utility>
 
+#include "parts.hpp"
 #include "pickled.hpp"
 #include "signorini/assembly.hpp"
 #include "signorini/figure_data.hpp"
@@ -28,6 +29,51 @@ struct pybind11::detail::type_caster<signorini::FigureData> {
     {
         return str(asJson(figure)).release();
     }
+};
+
+namespace signorini::python {
+
+/// A bar with its stops; or several in a row, in words, for which the bar gives the scales.
+using SceneOf = With<Scene, std::string>;
+void describe(auto& d, Type<SceneOf>)
+{
+    d.record("Scene", "A bar, its stops, and what it is made of; or several bars, in words.");
+    d.key(
+        "words", "-", "Several bars in a row, whose scales are those of `bar`.",
+        [](const SceneOf& of) { return of.more.empty() ? std::nullopt : std::optional(of.more); },
+        When::any);
+    const auto of = [](auto get) {
+        return [get](const SceneOf& scene) {
+            using Value = std::remove_cvref_t<decltype(std::invoke(get, scene))>;
+            const bool isThere = scene.more.empty() || std::is_same_v<Value, Bar>;
+            return isThere ? std::optional<Value>(std::invoke(get, scene)) : std::nullopt;
+        };
+    };
+    describeKeysOfScene(d, of, When::any);
+}
+
+}  // namespace signorini::python
+
+/// A Scene of Python's where the library takes one: not in words.
+template <>
+struct pybind11::detail::type_caster<signorini::Scene> {
+    using Held = signorini::python::SceneOf;
+    static constexpr auto name = const_name("Scene");
+    template <typename T>
+    using cast_op_type = detail::cast_op_type<T>;
+    static handle cast(const signorini::Scene& scene, return_value_policy, handle parent)
+    {
+        return make_caster<Held>::cast(Held{scene, {}}, return_value_policy::move, parent);
+    }
+    bool load(handle given, bool converts)
+    {
+        return held_.load(given, converts) && cast_op<Held&>(held_).more.empty();
+    }
+    operator signorini::Scene&() { return cast_op<Held&>(held_); }   // NOLINT: as pybind11 has them
+    operator signorini::Scene*() { return &cast_op<Held&>(held_); }  // NOLINT
+
+private:
+    make_caster<Held> held_;
 };
 
 namespace signorini::python {
@@ -115,7 +161,7 @@ public:
                 });
         }
     }
-    /// Bars in a row that it has are drawn.
+    /// Bars in a row that it has are drawn; of a status that may be "found" comes `found`.
     template <typename Get>
     void key(const char* name, std::string_view unit, const char* sentence, const Get& get,
              When when = When::always)
@@ -124,9 +170,14 @@ public:
             return;
         }
         of_->addKey(name, unit, sentence, erased(get), mayBeLeftOut(when));
-        if constexpr (std::is_same_v<std::remove_cvref_t<std::invoke_result_t<Get, const T&>>,
-                                     Assembly>) {
+        using Value = std::remove_cvref_t<std::invoke_result_t<Get, const T&>>;
+        if constexpr (std::is_same_v<Value, Assembly>) {
             drawsScene(get);
+        } else if constexpr (std::is_same_v<Value, Status>) {
+            const auto isFound = [get](const T& of) {
+                return std::invoke(get, of) == Status::found;
+            };
+            has("found", "Was a motion found?", isFound).more().def("__bool__", isFound);
         }
     }
 

@@ -70,10 +70,14 @@ void addWholeScene(py::module_& module)
     segment.more().def(py::init<std::int64_t, double, double, double>(), py::arg("cells"),
                        py::arg("impedance") = 1.0, py::arg("speed") = 1.0,
                        py::arg("dashpot") = 0.0);
-    Record<Scene> scene(module, "A bar, its stops, and what it is made of.");
+    Record<SceneOf> scene(module);
     scene
-        .drawsScene([](const Scene& of) {
-            Assembly assembly = assemblyOf(of, usualCells, {});
+        .drawsScene([](const SceneOf& of) {
+            Assembly assembly =
+                of.more.empty() ? assemblyOf(of, usualCells, {}) : assemblyIn(of.more, of.bar);
+            if (!of.more.empty()) {
+                return assembly;
+            }
             std::erase_if(assembly.parts, [](const AssemblyPart& part) {
                 return part.kind == PartKind::driven || part.kind == PartKind::shaken;
             });
@@ -82,12 +86,17 @@ void addWholeScene(py::module_& module)
         .more()
         .def(py::init([](const Bar& bar, const std::optional<Quantity>& secondStop,
                          const std::vector<Segment>& segments) {
-                 Scene made(bar, quantityOf("second_stop", secondStop), segments);
+                 SceneOf made{{bar, quantityOf("second_stop", secondStop), segments}, {}};
                  validate(made);
                  return made;
              }),
              py::arg("bar") = Bar{}, py::arg("second_stop") = py::none(),
              py::arg("segments") = std::vector<Segment>{})
+        .def(py::init([](const std::string& words, const Bar& bar) {
+                 (void)assemblyIn(words, bar);
+                 return SceneOf{bar, words};
+             }),
+             py::arg("words"), py::arg("bar") = Bar{})
         .def_static(
             "of_pieces",
             [](const std::vector<std::array<Quantity, 4>>& pieces, const Quantity& gap,

@@ -342,6 +342,36 @@ def test_frames_have_a_row_for_each(tmp_path: Path) -> None:
     assert frame.impulse.count() == len(response.motions) > 0
 
 
+def test_lists_and_motions_on_no_grid_say_that_they_were_found() -> None:
+    assert sg.families().found and sg.modes().found and sg.modes(phases=2, max_order=5).found
+    motion = sg.mode(4, -1, 3.5)
+    assert motion.found and bool(motion)
+    none = sg.families(1, max_energy_ratio=0.1)
+    assert len(none) == 0 and not none.found and not none
+
+
+def test_columns_of_frames_are_numbers_truth_values_or_words() -> None:
+    pytest.importorskip("pandas")
+    bars: Any = {"scene": "clamp 6 driven gap=1e-4 dash=0.1 6 clamp"}
+    forced: Any = {"damping": 0.02, "force": "tip", "amplitude": 2e-4, "cells": 6}
+    response = sg.response(contacts=2, stability=True, **forced).frame()
+    assert response.admissible.dtype == "boolean" and response.admissible.any()
+    for frame in (response, sg.families().frame(), sg.modes().frame(),
+                  sg.modes(phases=2, max_order=5).frame(), sg.exact_response(**forced).frame(),
+                  sg.find(period="7/2", cells=12).frame(),
+                  sg.find(frequency=1.1, contacts=2, **forced).frame(),
+                  sg.find(5, 31, damping=0.02, force="tip", cells=10).frame(),
+                  sg.find(frequency=1.1, **bars).frame(),
+                  sg.response(force="tip", amplitude=2e-4, **bars).frame(),
+                  sg.continuum(5, 31, segments=[(4, 1), (6, 1.3)], energy_ratio=9,
+                               points=5).frame(),
+                  sg.simulate(time=9.0, **bars, velocity=[1e-3, 0.0]).frame()):
+        for name in frame.columns:
+            kinds = {type(cell) for cell in frame[name]}
+            assert frame[name].dtype != object or kinds <= {str, type(None)}, (name, kinds)
+            assert tuple not in kinds, name
+
+
 def test_every_function_says_what_it_takes_and_raises() -> None:
     functions: list[Any] = [sg.find, sg.continuum, sg.families, sg.modes,
                             sg.mode, sg.polytope, sg.response, sg.simulate,
