@@ -88,13 +88,18 @@ class Atlas:
         """The runs, completed or interrupted."""
         return Table("runs", self._file.runs())
 
+    def _rows(self, question: str, *asked: Any) -> Table[Any]:
+        """Families or schedules that answer a question."""
+        rows = getattr(self._file, question)(*asked)
+        return Table(question.split("_")[0], rows, **self._units)
+
     def families(self, cells: int | None = None) -> Table[AtlasFamily]:
         """Return the sets of orbits of all grids, or of one."""
-        return Table("families", self._file.families(cells), **self._units)
+        return self._rows("families", cells)
 
     def schedules(self, cells: int | None = None) -> Table[AtlasSchedule]:
         """Return the schedules with motions, of all grids, or of one."""
-        return Table("schedules", self._file.schedules(cells), **self._units)
+        return self._rows("schedules", cells)
 
     def near(self, frequency_ratio: Number, energy_ratio: float, *,
              within: float = 0.001,
@@ -113,32 +118,26 @@ class Atlas:
             Of one grid.
         """
         w = float(fraction_of(frequency_ratio, "frequency_ratio"))
-        rows = self._file.families_near(w, energy_ratio, within, cells)
-        return Table("families", rows, **self._units)
+        return self._rows("families_near", w, energy_ratio, within, cells)
 
     def schedules_near(self, frequency_ratio: Number, energy_ratio: float, *,
                        within: float = 0.001,
                        cells: int | None = None) -> Table[AtlasSchedule]:
         """Return the schedules near a point of the plot, as `near` does."""
         w = float(fraction_of(frequency_ratio, "frequency_ratio"))
-        rows = self._file.schedules_near(w, energy_ratio, within, cells)
-        return Table("schedules", rows, **self._units)
+        return self._rows("schedules_near", w, energy_ratio, within, cells)
 
     def of_period(self, period: Number, *,
                   cells: int | None = None) -> Table[AtlasFamily]:
         """Return the families of one period, as 3.5 or "7/2" [L/c]."""
         exact = fraction_of(period, "period")
-        rows = self._file.families_of_period(exact.numerator,
-                                             exact.denominator, cells)
-        return Table("families", rows, **self._units)
+        return self._rows("families_of_period", exact.numerator, exact.denominator, cells)
 
     def schedules_of_period(self, period: Number, *,
                             cells: int | None = None) -> Table[AtlasSchedule]:
         """Return the schedules of one period, including refuted ones."""
         exact = fraction_of(period, "period")
-        rows = self._file.schedules_of_period(exact.numerator,
-                                              exact.denominator, cells)
-        return Table("schedules", rows, **self._units)
+        return self._rows("schedules_of_period", exact.numerator, exact.denominator, cells)
 
     def twins(self, cells: int | None = None
               ) -> list[tuple[list[AtlasFamily], list[AtlasSchedule]]]:

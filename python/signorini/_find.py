@@ -10,8 +10,8 @@ from ._core import (Bar, Continuum, ForcedResult, HarmonicResult, Result,
                     Scene, SceneContinuum, SceneContinuumPoint, SceneForcedResult,
                     SceneHarmonicResult, SceneQuestion, SceneResult, State)
 from ._progress import Progress
-from ._question import (OF_FREE, Question, ask, ask_bars, continuum_of_bars, find_bars, period_of,
-                        refuse)
+from ._question import (OF_FREE, Question, ask, ask_bars, continuum_of_bars, find_bars,
+                        find_harmonic, refuse)
 from ._words import Force, Number, Objective, Quantity, Segments, Steps, in_words, whole
 
 
@@ -156,8 +156,7 @@ def find(
         if not is_timed:
             refuse(asked, find.__kwdefaults__, ("contacts",), "of a period")
             return _core.find_forced(scheduled(asked))
-        above, below = period_of(times, cells, where.bar, whole("cycles", cycles))
-        return _core.find_harmonic(excited({**asked, "numerator": above, "denominator": below}))
+        return find_harmonic(asked, times)
     if asked["amplitude"] is not None or (
             (type(cycles) is not int or cycles != 1) and whole("cycles", cycles) != 1):
         raise ValueError("amplitude, cycles: allowed only together with "

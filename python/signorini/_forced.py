@@ -195,7 +195,7 @@ def simulate(start: str | None = None, *, gravity: Quantity,
              **asked: Unpack[DrivenBar]) -> SceneSimulation: ...
 
 
-@asks("simulation")
+@asks("simulate")
 def simulate(start: State | Waves | str | None = None, *,
              damping: Quantity = 0.0, force: Force | None = None,
              amplitude: Quantity | None = None,
@@ -298,7 +298,7 @@ def sweep(over: Over = "frequency", start: Quantity = 0.5, to: Quantity = 2.0, *
         {**asked, "question": f"{question} {asked['scene'].to_dict()}"})
 
 
-@asks("simulation")
+@asks("simulate")
 def force_range(scene: Scene | str, low: Quantity, high: Quantity, *, time: Quantity,
                 gravity: Quantity = 0.0, bar: Bar | None = None,
                 **bar_options: Quantity | None) -> ForceRange:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Literal, overload
+from typing import Any, Literal, overload
 
 from . import _core
 from ._asking import asks
@@ -13,6 +13,12 @@ from ._words import Number, Quantity, Steps, bar_of, fraction_of, number, schedu
 
 #: Orders and periods that a few seconds list, by number of contacts.
 _USUAL = {1: (25, 8.0), 2: (25, 8.0), 3: (9, 12.0), 4: (5, 16.0)}
+
+
+def _table(answer: dict[str, Any]) -> Table[Any]:
+    """A list of the program's: its last key has the rows."""
+    name, rows = answer.popitem()
+    return Table(name, rows, **answer)
 
 
 @asks("families")
@@ -26,15 +32,8 @@ def families(max_order: int = 12, *, max_energy_ratio: float | None = None,
     Table of Family
         By ascending order, nu, contact_blocks; 33 up to order 12.
     """
-    gravity = number("gravity", gravity)
-    units = _core.about_rest({"bar": bar_of(bar, bar_options), "gravity": gravity})
-    rows = _core.families({**locals(), "bar": units, "progress": listener(progress)})
-    scene = _core.Scene(units)
-    return Table("families", rows, bar=units, stops=scene.stops,
-                 segments=scene.segments, static_force=scene.static_force,
-                 gravity=gravity, complete=True,
-                 max_order=max_order, max_energy_ratio=max_energy_ratio,
-                 count=len(rows))
+    return _table(_core.families(
+        {**locals(), "bar": bar_of(bar, bar_options), "progress": listener(progress)}))
 
 
 @overload
@@ -66,19 +65,11 @@ def modes(*, phases: int = 1, max_order: int | None = None,
     Table of Mode, or of ModePolytope with several contacts
         By ascending order.
     """
-    gravity = number("gravity", gravity)
-    units = _core.about_rest({"bar": bar_of(bar, bar_options), "gravity": gravity})
     order, period = _USUAL.get(whole("phases", phases), (3, 20.0))
-    bounds = {
-        "max_order": order if max_order is None else max_order,
-        "max_period_ratio": period if max_period is None else max_period,
-        "max_energy_ratio": max_energy_ratio}
-    rows = _core.modes({**bounds, "bar": units, "phases": phases,
-                        "progress": listener(progress)})
-    if phases == 1:
-        return Table("modes", rows, bar=units, gravity=gravity, complete=True, **bounds)
-    return Table("polytopes", rows, bar=units, gravity=gravity, phases=phases,
-                 complete=True, **bounds)
+    return _table(_core.modes(
+        {**locals(), "bar": bar_of(bar, bar_options), "progress": listener(progress),
+         "max_order": order if max_order is None else max_order,
+         "max_period_ratio": period if max_period is None else max_period}))
 
 
 @asks("mode")
@@ -105,8 +96,7 @@ def mode(a4: int, b: int, period: Number | None = None, *,
         If there is no such mode, or it has no motion of that period.
     """
     gravity = number("gravity", gravity)
-    units = _core.about_rest({"bar": bar_of(bar, bar_options), "gravity": gravity})
-    found = _core.mode({"a4": a4, "b": b, "bar": units})
+    found = _core.mode({"a4": a4, "b": b, "bar": bar_of(bar, bar_options), "gravity": gravity})
     if period is None:
         (p, q), (r, s) = found.period_range
         raise ValueError(f"period is missing: allowed ]{p}/{q}, {r}/{s}[ "
@@ -115,7 +105,7 @@ def mode(a4: int, b: int, period: Number | None = None, *,
     return found.motion(float(exact), gravity)
 
 
-@asks("schedule")
+@asks("find")
 def polytope(*schedule: Steps, cells: int | None = None,
              bar: Bar | None = None, **bar_options: Quantity | None
              ) -> ModePolytope | None:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Sequence
 
 from . import _core
-from ._asking import as_bars
-from ._core import (Bar, Result, SceneContinuum, SceneForcedResult, SceneHarmonicResult,
-                    SceneQuestion, SceneResult)
+from ._asking import as_bars, excited
+from ._core import (Bar, HarmonicResult, Result, SceneContinuum, SceneForcedResult,
+                    SceneHarmonicResult, SceneQuestion, SceneResult)
 from ._tables import Table, plain
 from ._words import fraction_of, number, whole
 
@@ -52,14 +52,6 @@ def _one_of(asked: dict[str, Any]) -> tuple[str, Any]:
     return name, word
 
 
-def _cells_of(cells: Any) -> int:
-    count = 300 if cells is None else whole("cells", cells)
-    if count < 1:
-        raise ValueError(f"cells = {count} is out of range: allowed whole "
-                         "numbers >= 1")
-    return count
-
-
 def _word(name: str, given: Any) -> str:
     """A period, a frequency or hertz as text, which the library reads."""
     if name == "hertz":
@@ -68,14 +60,11 @@ def _word(name: str, given: Any) -> str:
     return str(given)
 
 
-def period_of(asked: dict[str, Any], cells: int | None, bar: Bar, cycles: int
-              ) -> tuple[int, int]:
-    """The period [L/c] of a motion on no grid, exactly.
-
-    A frequency is that of the excitation, of which there are so many cycles.
-    """
-    name, word = _one_of(asked)
-    return _core.period_exactly(name, _word(name, word), _cells_of(cells), bar, cycles)
+def find_harmonic(asked: dict[str, Any], times: dict[str, Any]) -> HarmonicResult:
+    """Motions on no grid under an exact harmonic, whose frequency is meant, if one is."""
+    name, word = _one_of(times)
+    told = {"option": name, "word": _word(name, word)}
+    return _core.find_harmonic(excited({**asked, **told}))
 
 
 #: What is asked of motions without a force, and with one.
@@ -145,12 +134,7 @@ def ask_bars(times: dict[str, Any], asked: dict[str, Any]) -> SceneQuestion:
 def ask(times: dict[str, Any], asked: dict[str, Any]) -> Question:
     """Answer a question by `find` for each set of motions of a period."""
     name, word = _one_of(times)
-    cells, scene = _cells_of(asked["cells"]), asked["scene"]
-    steps = _core.period_on_grid(name, _word(name, word), cells, scene.bar)
-    sets = [_core.find({**asked, "schedule": schedule})
-            for schedule in _core.schedules_of_period(cells, steps, scene)]
-    head = plain(_core.question(
-        {**asked, "option": name, "word": str(word), "steps": steps, "cells": cells}, sets))
-    del head["motions"]
-    return Question("motions", [r for r in sets if r.status == "found"],
-                    **{**head, "bar": scene.bar})
+    head = _core.find_period(
+        {**asked, "option": name, "word": _word(name, word), "said": str(word)})
+    motions = head.pop("motions")
+    return Question("motions", motions, **{**plain(head), "bar": head["bar"]})

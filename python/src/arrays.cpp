@@ -75,12 +75,12 @@ double quantityOf(const std::string& name, const Quantity& given, const std::str
     return *value;
 }
 
-Grid::Grid(const py::object& x, const py::object& t)
+std::pair<py::array_t<double>, py::array_t<double>> stretched(const py::object& x,
+                                                              const py::object& t)
 {
-    const py::tuple both = py::cast<py::tuple>(py::module_::import("numpy").attr(
-        "broadcast_arrays")(numbersOf(x, "x"), numbersOf(t, "t")));
-    x_ = py::cast<py::array_t<double>>(both[0]);
-    t_ = py::cast<py::array_t<double>>(both[1]);
+    return py::cast<std::pair<py::array_t<double>, py::array_t<double>>>(
+        py::module_::import("numpy").attr("broadcast_arrays")(numbersOf(x, "x"),
+                                                              numbersOf(t, "t")));
 }
 
 }  // namespace signorini::python

@@ -88,28 +88,15 @@ template <typename F>
     return array;
 }
 
-/// Two arrays of numbers stretched to one shape, as NumPy does it.
-class Grid {
-public:
-    Grid(const py::object& x, const py::object& t);
+/// Places and instants stretched to one shape, as NumPy does it.
+[[nodiscard]] std::pair<py::array_t<double>, py::array_t<double>> stretched(const py::object& x,
+                                                                            const py::object& t);
 
-    /// f(x, t) on all of them: an array of that shape, or a number if both are.
-    template <typename F>
-    [[nodiscard]] py::object of(F f) const
-    {
-        return py::vectorize(f)(x_, t_);
-    }
-
-private:
-    py::array_t<double> x_;
-    py::array_t<double> t_;
-};
-
-/// A function of the period [L/c] on an array of them.
+/// f of each number: an array of their shape, or a number if it is one.
 template <typename F>
-[[nodiscard]] py::object onPeriods(const py::object& periods, F f)
+[[nodiscard]] py::object onEach(const py::object& numbers, F f)
 {
-    return Grid(py::float_(0.0), periods).of([f](double, double period) { return f(period); });
+    return py::vectorize(f)(numbersOf(numbers, "t"));
 }
 
 }  // namespace signorini::python

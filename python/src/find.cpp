@@ -65,57 +65,59 @@ FindOptions optionsOf(const Asked& asked)
     return options;
 }
 
+/// A search for motions of one bar, the same for each schedule.
+struct Search {
+    FindOptions options;
+    std::string how = {};  ///< what the target is
+
+    explicit Search(const Asked& asked) : options(optionsOf(asked))
+    {
+        options.scene = asked.scene();
+        const Bar units = unitsOf(options.scene);
+        const Scales scale = scales(units);
+        options.formulation = asked.named("formulation", formulationNames);
+        options.energyRatio = asked.energyRatio(units);
+        asked.read("strain_limit", options.strainLimit, scale.strain);
+        asked.read("tip_floor", options.tipFloor, scale.displacement);
+        if (const auto target = asked.maybe<StateOf>("target")) {
+            how = fmt::format("a state of {} cells", target->value->cells());
+            options.target = *target->value;
+        }
+    }
+    [[nodiscard]] FindAnswer find(const Asked& asked, const Schedule& schedule) const
+    {
+        if (!asked.get<bool>("stability") && isQuick(schedule, options)) {
+            const py::gil_scoped_release release;
+            return answerOf(findPeriodic(schedule, options), options, how);
+        }
+        return findPatiently(asked, steps(schedule), [=, of = *this](const Wires& wires) {
+            return answerOf(findPeriodic(schedule, wires.on(of.options)), of.options, of.how);
+        });
+    }
+};
+
 FindAnswer find(const Asked& asked)
 {
     const Schedule schedule = asked.schedule();
-    const Scene scene = asked.scene();
-    const Bar units = unitsOf(scene);
-    const Scales scale = scales(units);
-    FindOptions options = optionsOf(asked);
-    options.scene = scene;
-    options.formulation = asked.named("formulation", formulationNames);
-    options.energyRatio = asked.energyRatio(units);
-    asked.read("strain_limit", options.strainLimit, scale.strain);
-    asked.read("tip_floor", options.tipFloor, scale.displacement);
-    std::string how;
-    if (const auto target = asked.maybe<StateOf>("target")) {
-        how = fmt::format("a state of {} cells", target->value->cells());
-        options.target = *target->value;
-    }
-    if (!asked.get<bool>("stability") && isQuick(schedule, options)) {
-        const py::gil_scoped_release release;
-        return answerOf(findPeriodic(schedule, options), options, how);
-    }
-    return findPatiently(asked, steps(schedule), [=](const Wires& wires) {
-        return answerOf(findPeriodic(schedule, wires.on(options)), options, how);
-    });
+    return Search(asked).find(asked, schedule);
 }
 
-void addQuestions(py::module_& module)
+/// Of a period, a motion of each set.
+py::dict findPeriod(const Asked& asked)
 {
-    module.def("question", [](const Asked& asked, std::vector<FindAnswer> sets) {
-        FindOptions options;
-        options.scene = asked.scene();
-        options.energyRatio = asked.energyRatio(unitsOf(options.scene));
-        QuestionAnswer answer =
-            questionOf({asked.get<std::string>("option"), asked.get<std::string>("word"),
-                        asked.get<std::int64_t>("steps")},
-                       asked.get<std::int64_t>("cells"), options);
-        answer.answers = std::move(sets);
-        return dictionaryOf(answer);
-    });
-    module.def("period_on_grid",
-               [](const std::string& name, const std::string& word, std::int64_t cells,
-                  const Bar& bar) { return periodOnGrid(name, word, cells, bar).steps; });
-    module.def("period_exactly", [](const std::string& name, const std::string& word,
-                                    std::int64_t cells, const Bar& bar, std::int64_t cycles) {
-        const ExactPeriod exact = periodExactly(name, word, cells, bar, cycles);
-        return std::pair(exact.numerator, exact.denominator);
-    });
-    module.def("schedules_of_period",
-               [](std::int64_t cells, std::int64_t steps, const Scene& scene) {
-                   return schedulesOfPeriod(cells, steps, stopsOf(scene).right);
-               });
+    const Search search(asked);
+    const FindOptions& options = search.options;
+    const auto cells = asked.maybe<std::int64_t>("cells").value_or(usualCells);
+    QuestionAnswer answer =
+        questionOf(periodOnGrid(asked.get<std::string>("option"), asked.get<std::string>("word"),
+                                cells, options.scene.bar),
+                   cells, options);
+    const auto schedules =
+        schedulesOfPeriod(cells, answer.asked.steps, stopsOf(options.scene).right);
+    answer.asked.word = asked.get<std::string>("said");
+    answer.answers =
+        mapped(schedules, [&](const Schedule& one) { return search.find(asked, one); });
+    return dictionaryOf(answer);
 }
 
 /// One number of each point.
@@ -337,7 +339,6 @@ void addFind(py::module_& module)
                NetworkResiduals, SceneForcedMotion, SceneQuestionAnswer>(module);
     Record<Residuals>(module).can("worst", "The largest of them.", &Residuals::worst);
     addResult(module);
-    addQuestions(module);
     addCurve(module);
     addMotions(Record<SceneFindAnswer>(module));
     addMotions(Record<SceneForcedAnswer>(module));
@@ -352,6 +353,7 @@ void addFind(py::module_& module)
              })
         .draws(&sceneContinuumFigure);
     module.def("find", &find);
+    module.def("find_period", &findPeriod);
     module.def("continuum", &continuum);
     module.def("find_bars", &findInBars);
     module.def("continuum_bars", &continuumInBars);

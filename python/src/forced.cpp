@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "asked_period.hpp"
 #include "exact_answer.hpp"
 #include "exact_figure.hpp"
 #include "forced_answer.hpp"
@@ -61,9 +62,10 @@ HarmonicAnswer findHarmonic(const Asked& asked)
 {
     const Scene scene = asked.scene();
     validate(scene);
-    const ExactPeriod period =
-        exactPeriod(asked.get<std::int64_t>("numerator"), asked.get<std::int64_t>("denominator"));
     const auto cycles = asked.get<std::int64_t>("cycles");
+    const ExactPeriod period =
+        periodExactly(asked.get<std::string>("option"), asked.get<std::string>("word"),
+                      asked.maybe<std::int64_t>("cells").value_or(usualCells), scene.bar, cycles);
     const Damping damping = asked.damping();
     const Excited place = asked.place();
     const auto amplitude =

@@ -24,7 +24,7 @@ void addShape(Record<T>& record)
         .can("energy_ratio", {"period_ratio"},
              "E/E_1 at T [L/c], any array. ValueError outside the interval.",
              [](const T& shape, const py::object& periods) {
-                 return onPeriods(periods, [&](double t) { return energyRatio(shape.value, t); });
+                 return onEach(periods, [&](double t) { return energyRatio(shape.value, t); });
              });
 }
 
@@ -38,7 +38,7 @@ void addMode(py::module_& module)
         .can("contact_time_ratio", {"period_ratio"},
              "t_c [L/c] at T [L/c], any array. ValueError as above.",
              [](const ModeOf& m, const py::object& periods) {
-                 return onPeriods(periods, [&m](double t) { return contactTime(m.value, t); });
+                 return onEach(periods, [&m](double t) { return contactTime(m.value, t); });
              })
         .can("schedule", {"cells", "steps"}, "Of the motion with T = steps/cells L/c.",
              [](const ModeOf& m, std::int64_t cells, std::int64_t steps) {
@@ -59,48 +59,60 @@ void addMode(py::module_& module)
             "the gap. ValueError outside the interval.");
 }
 
-std::vector<FamilyOf> families(const Asked& asked)
+/// The bar that is asked about, at rest under "gravity".
+Bar barAtRest(const Asked& asked)
 {
-    const auto maxOrder = asked.get<std::int64_t>("max_order");
-    const Bar bar = asked.bar();
-    FamilyBounds bounds{.gapSign = stopsOf(bar).right};
+    return aboutRest(asked.bar(), asked.maybe<double>("gravity").value_or(0.0)).bar;
+}
+
+py::dict families(const Asked& asked)
+{
+    FamilyList list;
+    list.maxOrder = asked.get<std::int64_t>("max_order");
+    list.bar = barAtRest(asked);
+    list.gravity = asked.get<double>("gravity");
+    FamilyBounds bounds{.gapSign = stopsOf(list.bar).right};
     asked.read("max_energy_ratio", bounds.maxEnergyRatio);
-    return patiently(asked, [=](const Wires& wires) {
-        std::vector<FamilyOf> list;
+    list.maxEnergyRatio = bounds.maxEnergyRatio;
+    return dictionaryOf(patiently(asked, [=](const Wires& wires) mutable {
         std::int64_t order = 0;
-        forEachFamily(maxOrder, wires.on(bounds), [&](const Family& family) {
+        forEachFamily(list.maxOrder, wires.on(bounds), [&](const Family& family) {
             if (std::exchange(order, family.order) < family.order) {
-                wires.progress(static_cast<double>(order), static_cast<double>(maxOrder));
+                wires.progress(static_cast<double>(order), static_cast<double>(list.maxOrder));
             }
-            list.push_back({family, bar});
+            list.families.push_back(family);
             return true;
         });
         return list;
-    });
+    }));
 }
 
 /// Those with one contact, or what several fill.
-py::object modes(const Asked& asked)
+py::dict modes(const Asked& asked)
 {
-    const Bar bar = asked.bar();
+    const Bar bar = barAtRest(asked);
+    const auto gravity = asked.get<double>("gravity");
     const auto phases = asked.get<std::int64_t>("phases");
     const ModeBounds bounds{.maxOrder = asked.get<std::int64_t>("max_order"),
                             .maxPeriod = asked.get<double>("max_period_ratio"),
                             .maxEnergyRatio = asked.get<double>("max_energy_ratio"),
                             .gapSign = phases == 1 ? gapSignOfModes(bar) : stopsOf(bar).right};
-    const auto listed = [&](auto search) {
-        return py::cast(patiently(
-            asked, [=](const Wires& wires) { return withUnits(search(wires.on(bounds)), bar); }));
-    };
-    return phases == 1 ? listed(&findModes)
-                       : listed([phases](const ModeBounds& b) { return findPolytopes(phases, b); });
+    if (phases == 1) {
+        return dictionaryOf(patiently(asked, [=](const Wires& wires) {
+            return ModeList{bounds, bar, findModes(wires.on(bounds)), true, gravity};
+        }));
+    }
+    return dictionaryOf(patiently(asked, [=](const Wires& wires) {
+        return PolytopeList{phases, bounds, bar, findPolytopes(phases, wires.on(bounds)),
+                            true,   gravity};
+    }));
 }
 
 ModeOf mode(const Asked& asked)
 {
     const auto a4 = asked.get<std::int64_t>("a4");
     const auto b = asked.get<std::int64_t>("b");
-    const Bar bar = asked.bar();
+    const Bar bar = barAtRest(asked);
     const std::optional<Mode> found =
         a4 > 0 && a4 % 4 == 0 && b < 0 ? findMode(a4 / 4, b, gapSignOfModes(bar)) : std::nullopt;
     if (!found) {
@@ -212,9 +224,6 @@ void addModes(py::module_& module)
     addClasses<ModeChain>(module);
     addPolytope(module);
     module.def("families", &families);
-    module.def("about_rest", [](const Asked& asked) {
-        return aboutRest(asked.bar(), asked.get<double>("gravity")).bar;
-    });
     module.def("families_figure", &familiesAsFigure);
     module.def("polytopes_figure", &polytopesAsFigure);
     module.def("frequency_energy_figure", &planeAsFigure);

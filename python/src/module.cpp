@@ -67,25 +67,16 @@ py::dict versionsOfBackends()
     return versions;
 }
 
-/// What the program's options of a question mean, by their names as Python has them.
-py::dict meaningsOf(const std::string& question)
+/// What the options of a command mean, by their names as Python has them.
+py::dict meaningsOf(const std::string& command)
 {
-    static constexpr std::array<Named<unsigned>, 10> questions{{{asks::find, "find"},
-                                                                {asks::schedule, "schedule"},
-                                                                {asks::continuum, "continuum"},
-                                                                {asks::families, "families"},
-                                                                {asks::modes, "modes"},
-                                                                {asks::mode, "mode"},
-                                                                {asks::atlas, "atlas"},
-                                                                {asks::response, "response"},
-                                                                {asks::sweep, "sweep"},
-                                                                {asks::simulation, "simulation"}}};
-    const unsigned asked = valueIn(questions, question).value_or(0);  // of a figure none
     py::dict meanings;
     for (const Option& option : options()) {
         std::string name(option.name.substr(2));
         std::replace(name.begin(), name.end(), '-', '_');
-        if ((option.of & asked) != 0 && !meanings.contains(name.c_str())) {
+        const std::string commands = fmt::format(", {},", commandsOf(option.of));
+        if (commands.find(fmt::format(", {},", command)) != std::string::npos &&
+            !meanings.contains(name.c_str())) {
             const bool hasUnit =
                 option.unit != "-" && option.sentence.find('[') == std::string::npos;
             meanings[name.c_str()] = fmt::format(

@@ -105,10 +105,11 @@ void addFieldsOf(Record<T>& record, bool isRatio)
                        const Scales scale =
                            isRatio ? Scales{1.0, 1.0, 1.0, 1.0, 1.0, 1.0} : scales(motion.bar);
                        const double most = isRatio ? 1.0 : motion.bar.length;
-                       return Grid(x, t).of([&](double place, double instant) {
+                       const auto [places, instants] = stretched(x, t);
+                       return py::object(py::vectorize([&](double place, double instant) {
                            requirePlace(place, instant, most, length);
                            return scale.*unit * (field.*member)(place / most, instant / scale.time);
-                       });
+                       })(places, instants));
                    });
     };
     add("displacement", &Field::displacement, &Scales::displacement, "u(x, t)",
@@ -122,7 +123,7 @@ void addFieldsOf(Record<T>& record, bool isRatio)
                    const auto& field = fieldOf(motion);
                    const double time = isRatio ? 1.0 : scales(motion.bar).time;
                    const double unit = isRatio ? 1.0 : forceUnit(motion.bar);
-                   return onPeriods(
+                   return onEach(
                        t, [&](double instant) { return unit * field.wallForce(instant / time); });
                });
 }
@@ -144,7 +145,7 @@ void addMotionOf(py::module_& module)
              })
         .can("p", {"t_ratio"}, "The wave arriving at the tip [g/L] at t [L/c], any array.",
              [](const Answer& m, const py::object& t) {
-                 return onPeriods(t, [&m](double instant) { return m.motion.incoming(instant); });
+                 return onEach(t, [&m](double instant) { return m.motion.incoming(instant); });
              })
         .can("state", {"cells"}, "At t = 0, the means over each of N cells.",
              [](const Answer& m, std::int64_t cells) {

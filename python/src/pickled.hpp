@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <complex>
+#include <cstring>
 #include <limits>
 #include <string>
 #include <string_view>

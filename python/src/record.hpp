@@ -56,24 +56,22 @@ void describe(auto& d, Type<SceneOf>)
 
 /// A Scene of Python's where the library takes one: not in words.
 template <>
-struct pybind11::detail::type_caster<signorini::Scene> {
-    using Held = signorini::python::SceneOf;
-    static constexpr auto name = const_name("Scene");
-    template <typename T>
-    using cast_op_type = detail::cast_op_type<T>;
+struct pybind11::detail::type_caster<signorini::Scene>
+    : type_caster_base<signorini::python::SceneOf> {
+    using Base = type_caster_base<signorini::python::SceneOf>;
     static handle cast(const signorini::Scene& scene, return_value_policy, handle parent)
     {
-        return make_caster<Held>::cast(Held{scene, {}}, return_value_policy::move, parent);
+        return Base::cast(signorini::python::SceneOf{scene, {}}, return_value_policy::move, parent);
     }
     bool load(handle given, bool converts)
     {
-        return held_.load(given, converts) && cast_op<Held&>(held_).more.empty();
+        return Base::load(given, converts) && value != nullptr && held()->more.empty();
     }
-    operator signorini::Scene&() { return cast_op<Held&>(held_); }   // NOLINT: as pybind11 has them
-    operator signorini::Scene*() { return &cast_op<Held&>(held_); }  // NOLINT
+    operator signorini::Scene&() { return *held(); }  // NOLINT: as pybind11 has them
+    operator signorini::Scene*() { return held(); }   // NOLINT
 
 private:
-    make_caster<Held> held_;
+    signorini::python::SceneOf* held() { return static_cast<signorini::python::SceneOf*>(value); }
 };
 
 namespace signorini::python {
@@ -125,17 +123,13 @@ private:
     py::list keys_;
 };
 
-/// A class with keys: a describer that makes it of what is described. What has a longer text of its
-/// own than the description says so.
+/// A class with keys: a describer that makes it of what is described.
 template <typename T>
 class Record {
 public:
     using Class = py::class_<T, std::shared_ptr<T>>;
 
-    explicit Record(py::handle scope, const char* doc = nullptr) : scope_(scope), doc_(doc)
-    {
-        describe(*this, Type<T>());
-    }
+    explicit Record(py::handle scope) : scope_(scope) { describe(*this, Type<T>()); }
     /// Of what is not described.
     Record(py::handle scope, const char* name, const char* doc) : scope_(scope)
     {
@@ -144,7 +138,7 @@ public:
 
     void record(const char* name, const char* sentence)
     {
-        class_.emplace(scope_, name, doc_ != nullptr ? doc_ : sentence);
+        class_.emplace(scope_, name, sentence);
         of_.emplace(*class_);
         if constexpr (isKept<T>) {
             of_->addBytes(
@@ -202,11 +196,8 @@ public:
     template <std::size_t count, typename Function>
     Record& can(const char* name, const char* const (&names)[count], const char* doc, Function does)
     {
-        const auto define = [&]<std::size_t... k>(std::index_sequence<k...>)
-        {
-            class_->def(name, does, py::arg(names[k])..., doc);
-        };
-        define(std::make_index_sequence<count>());
+        std::apply([&](auto... argument) { class_->def(name, does, py::arg(argument)..., doc); },
+                   std::to_array(names));
         return *this;
     }
     template <typename Function>
@@ -257,7 +248,6 @@ private:
     }
 
     py::handle scope_;
-    const char* doc_ = nullptr;  ///< in place of the sentence of the description
     std::optional<Class> class_ = {};
     std::optional<ClassOfRecord> of_ = {};
 };

@@ -13,7 +13,7 @@ namespace {
 
 void addBar(py::module_& module)
 {
-    Record<Bar> record(module, "A bar and its wall, in SI units.");
+    Record<Bar> record(module);
     using Number = std::optional<Quantity>;
     record.more().def(
         py::init([](const Quantity& length, const Number& waveSpeed, const Number& axialStiffness,
@@ -66,7 +66,7 @@ void addBar(py::module_& module)
 
 void addWholeScene(py::module_& module)
 {
-    Record<Segment> segment(module, "Equal cells of one material of a stepped bar.");
+    Record<Segment> segment(module);
     segment.more().def(py::init<std::int64_t, double, double, double>(), py::arg("cells"),
                        py::arg("impedance") = 1.0, py::arg("speed") = 1.0,
                        py::arg("dashpot") = 0.0);
