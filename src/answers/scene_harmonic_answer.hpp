@@ -47,7 +47,7 @@ struct SceneHarmonicMotion {
     }
     [[nodiscard]] const char* release() const
     {
-        return !inSteps ? releaseOf(value) : inSteps->opens ? "step" : "never";
+        return !inSteps ? releaseOf(value.first()) : inSteps->opens ? "step" : "never";
     }
 };
 
@@ -97,10 +97,11 @@ void describe(auto& d, Type<SceneHarmonicMotion>)
              "One motion of bars under a harmonic; contact is at any times, under a staircase of "
              "forces at whole steps.");
     d.key("contact", "- >= 1", "The one that closes; of two the first.",
-          [](const T& m) { return m.value.contact + 1; });
+          [](const T& m) { return m.value.first().contact + 1; });
     d.key("contact_time", "s > 0", "In a period.",
-          [](const T& m) { return m.value.release * m.scales.time; });
-    d.key("contact_steps", "- > 0", "The same in steps.", ofValue(&NetworkHarmonicMotion::release));
+          [](const T& m) { return m.value.contactTime() * m.scales.time; });
+    d.key("contact_steps", "- > 0", "The same in steps.",
+          ofValue(&NetworkHarmonicMotion::contactTime));
     d.key(
         "release", "-",
         R"("smooth": the push fades to 0; "pinned": a wave front ends it; under a staircase "step", )"

@@ -77,15 +77,20 @@ SceneHarmonicMotion motionOf(const ForcedMotion& motion, const std::vector<Conta
     const NetworkClaim claim = claimOf(spans, motion);
     const NetworkResiduals seen = walk(given.network, claim);
     SceneHarmonicMotion made{{}, asked.scales};
-    made.value.contact = contactOf(spans.front());
     made.value.phase = motion.phase;
     made.value.residual = motion.residual;
     made.strains = strainsOf(asked.bars.assembly, asked.scales, seen);
     std::vector<bool> isSeen(seen.impulses.size(), false);
-    std::int64_t closed = 0;
+    std::int64_t begin = 0;
     for (const ContactSpan& span : spans) {
-        closed += span.closed != 0 ? span.steps : 0;
-        const std::size_t contact = span.closed != 0 ? contactOf(span) : made.value.contact;
+        const std::int64_t end = begin + span.steps;
+        if (span.closed != 0) {
+            made.value.contacts.push_back({.contact = contactOf(span),
+                                           .begin = static_cast<double>(begin),
+                                           .end = static_cast<double>(end)});
+        }
+        begin = end;
+        const std::size_t contact = made.value.contacts.back().contact;
         if (!isSeen[contact]) {
             isSeen[contact] = true;
             made.value.impulse += std::max(0.0, seen.impulses[contact]);  // but for rounding
@@ -93,8 +98,7 @@ SceneHarmonicMotion motionOf(const ForcedMotion& motion, const std::vector<Conta
             made.value.speed = std::max(made.value.speed, seen.extremes.contacts[contact].approach);
         }
     }
-    made.value.release = static_cast<double>(closed);
-    made.inSteps = {closed < given.steps};
+    made.inSteps = {made.value.contactTime() < static_cast<double>(given.steps)};
     if (asked.range.triesStability) {
         made.inSteps->stability = stabilityIn(given.network, claim, cancel);
     }

@@ -97,9 +97,11 @@ private:
     [[nodiscard]] std::vector<HarmonicBounds> wholeSteps(std::size_t channel) const
     {
         std::vector<HarmonicBounds> all = parts_.front().of[channel];
-        for (std::size_t m = 0; m < all.size(); ++m) {
-            const HarmonicBounds& late = parts_.back().of[channel][m];
-            all[m] = {std::min(all[m].least, late.least), std::max(all[m].most, late.most)};
+        for (const StepPart& part : parts_) {
+            for (std::size_t m = 0; m < all.size(); ++m) {
+                const HarmonicBounds& seen = part.of[channel][m];
+                all[m] = {std::min(all[m].least, seen.least), std::max(all[m].most, seen.most)};
+            }
         }
         const std::size_t count = all.size();
         all.resize(2 * count);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "contact_spans.hpp"
@@ -19,10 +20,11 @@ using Complex = std::complex<double>;
 /// The waves of one part of all steps, and the part [from, to] that it is.
 struct Lane {
     NetworkWaves<SteadyHarmonic> waves;
-    std::int64_t held;  ///< steps of contact
     double from;
     double to;
 };
+
+constexpr std::size_t isOpen = ~std::size_t{0};
 
 class HarmonicSteps {
 public:
@@ -32,27 +34,21 @@ public:
           network_(given.network),
           motion_(motion),
           watch_(watch),
-          open_(network_, 0),
-          closed_(network_, ContactSet{1} << motion.contact),
           drive_(given.amplitude * turned(-motion.phase)),
           slope_(0.0, given.omega()),
           bars_(driftingBars(given.network))
     {
-        const double whole = std::floor(motion.release);
-        const double part = motion.release - whole;
-        const auto held = static_cast<std::int64_t>(whole);
-        lanes_.push_back({{network_, motion.late}, held, part, 1.0});
-        if (part > 0.0) {
-            lanes_.insert(lanes_.begin(), {{network_, motion.early}, held + 1, 0.0, part});
+        for (const HarmonicLane& lane : motion.lanes) {
+            lanes_.push_back({{network_, lane.waves}, lane.from, lane.to});
+            size_ = std::max(size_, largestOf(lane.waves, sizeOf));
         }
-        size_ = std::max(largestOf(motion.early, sizeOf), largestOf(motion.late, sizeOf));
         stiffest_ = largestOf(network_.rows, &CellRow::impedance);
     }
 
     void run()
     {
         startDistances();
-        double defect = std::abs(distances_[motion_.contact]) / length();
+        defect_ = std::max(defect_, cutsMissed());
         for (std::int64_t m = 0; m < given_.steps; ++m) {
             step_ = static_cast<double>(m);
             if (watch_.state) {
@@ -66,11 +62,11 @@ public:
                 if (watch_.arrivals) {
                     watch_.arrivals(lane.waves.arriving(), lane.from, lane.to);
                 }
-                const bool isHeld = m < lane.held;
-                const NetworkLaw<SteadyHarmonic>& law = isHeld ? closed_ : open_;
+                findHeld(step_ + 0.5 * (lane.from + lane.to));
+                const NetworkLaw<SteadyHarmonic>& law = lawOf(closed_);
                 for (std::size_t j = 0; j < network_.contacts.size(); ++j) {
-                    if (isHeld && j == motion_.contact) {
-                        press(law, lane);
+                    if (held_[j] != isOpen) {
+                        press(law, lane, j);
                     } else {
                         part(law, lane, j);
                     }
@@ -83,24 +79,85 @@ public:
             watch_.state(given_.steps, stateAt(given_.steps));
         }
         if (watch_.path != nullptr) {
-            watch_.path->push_back({step_ + 1.0, distances_[motion_.contact], 0.0});
+            watch_.path->push_back({step_ + 1.0, distances_[motion_.first().contact], 0.0});
         }
-        for (const Lane& lane : lanes_) {
-            const std::vector<SteadyHarmonic> after = lane.waves.waves();
-            const std::vector<SteadyHarmonic>& before =
-                lane.from == 0.0 && lanes_.size() > 1 ? motion_.early : motion_.late;
-            for (std::size_t i = 0; i < after.size(); ++i) {
-                defect = std::max(defect, sizeOf(after[i] - before[i]) / size_);
-            }
-        }
-        for (std::size_t k = 0; k < drifts_.size(); ++k) {
-            defect = std::max(defect, std::abs(drifts_[k] - startDrifts_[k]) / length());
-        }
-        motion_.residual = std::max({defect, std::abs(distances_[motion_.contact]) / length(),
-                                     pull_ / (2.0 * stiffest_ * size_), overlap_ / length()});
+        comeBack();
+        motion_.residual =
+            std::max({defect_, pull_ / (2.0 * stiffest_ * size_), overlap_ / length()});
     }
 
 private:
+    [[nodiscard]] const NetworkLaw<SteadyHarmonic>& lawOf(ContactSet closed)
+    {
+        return laws_.try_emplace(closed, network_, closed).first->second;
+    }
+
+    /// Of beginnings and ends in their steps from where lanes meet.
+    [[nodiscard]] double cutsMissed() const
+    {
+        double missed = 0.0;
+        for (const NetworkHarmonicContact& one : motion_.contacts) {
+            for (const double time : {one.begin, one.end}) {
+                const double place = time - std::floor(time);
+                double apart = std::min(place, 1.0 - place);
+                for (const Lane& lane : lanes_) {
+                    apart = std::min(apart, std::abs(place - lane.from));
+                }
+                missed = std::max(missed, apart);
+            }
+        }
+        return missed;
+    }
+
+    /// Which contact of the motion is closed at this time, by contact.
+    void findHeld(double time)
+    {
+        const auto period = static_cast<double>(given_.steps);
+        std::swap(before_, held_);
+        std::fill(held_.begin(), held_.end(), isOpen);
+        closed_ = 0;
+        for (std::size_t k = 0; k < motion_.contacts.size(); ++k) {
+            const NetworkHarmonicContact& one = motion_.contacts[k];
+            if ((one.begin <= time && time < one.end) || time + period < one.end) {
+                held_[one.contact] = k;
+                closed_ |= ContactSet{1} << one.contact;
+            }
+        }
+        for (std::size_t j = 0; j < held_.size(); ++j) {
+            if (held_[j] != isOpen && held_[j] != before_[j]) {
+                meet(j);
+            }
+        }
+    }
+
+    /// Its distance is to be 0.
+    void meet(std::size_t j)
+    {
+        defect_ = std::max(defect_, std::abs(distances_[j]) / length());
+        motion_.contacts[held_[j]].speed = speeds_[j];
+    }
+
+    /// What is at the end of the period is to be as at its start.
+    void comeBack()
+    {
+        for (std::size_t i = 0; i < lanes_.size(); ++i) {
+            const std::vector<SteadyHarmonic> after = lanes_[i].waves.waves();
+            const std::vector<SteadyHarmonic>& before = motion_.lanes[i].waves;
+            for (std::size_t k = 0; k < after.size(); ++k) {
+                defect_ = std::max(defect_, sizeOf(after[k] - before[k]) / size_);
+            }
+        }
+        for (std::size_t k = 0; k < drifts_.size(); ++k) {
+            defect_ = std::max(defect_, std::abs(drifts_[k] - startDrifts_[k]) / length());
+        }
+        findHeld(0.5 * (lanes_.front().from + lanes_.front().to));
+        for (const NetworkHarmonicContact& one : motion_.contacts) {
+            motion_.impulse += one.impulse;
+            motion_.peakForce = std::max(motion_.peakForce, one.peakForce);
+            motion_.speed = std::max(motion_.speed, one.speed);
+        }
+    }
+
     static double sizeOf(const SteadyHarmonic& wave)
     {
         return std::abs(wave.steady) + lengthOf(wave.swing);
@@ -109,13 +166,13 @@ private:
     /// Of what distances are compared with.
     [[nodiscard]] double length() const
     {
-        return std::max(size_, std::abs(network_.contacts[motion_.contact].gap));
+        return std::max(size_, std::abs(network_.contacts[motion_.first().contact].gap));
     }
 
     /// Means over the cells.
     [[nodiscard]] NetworkStart stateAt(std::int64_t m) const
     {
-        NetworkStart now{std::vector<double>(motion_.late.size(), 0.0), {}};
+        NetworkStart now{std::vector<double>(network_.waves(), 0.0), {}};
         for (const Lane& lane : lanes_) {
             const Complex weight =
                 (turned(given_.omega() * lane.to) - turned(given_.omega() * lane.from)) / slope_;
@@ -139,19 +196,20 @@ private:
     /// where that closes.
     void placeBars()
     {
+        const std::size_t first = motion_.first().contact;
         const auto [force, base] = given_.drive(drive_);
         const std::span<const SteadyHarmonic> arriving = lanes_.front().waves.arriving();
         for (const std::size_t bar : bars_) {
             const LinearForm<SteadyHarmonic>& velocity =
-                open_.velocity(network_.bars[bar].firstNode);
+                lawOf(0).velocity(network_.bars[bar].firstNode);
             const SteadyHarmonic rate =
                 velocity.at(arriving, SteadyHarmonic(0.0, force), SteadyHarmonic(0.0, base));
             drifts_.push_back((rate.swing / slope_).real());
         }
-        const auto touched = driftsOf(network_, motion_.contact);
+        const auto touched = driftsOf(network_, first);
         if (!touched.empty()) {
             const std::vector<double> places = stateAt(0).displacements;
-            const NetworkContact& contact = network_.contacts[motion_.contact];
+            const NetworkContact& contact = network_.contacts[first];
             const double distance =
                 contact.gap + openingOf(contact, [&](std::size_t node) { return places[node]; });
             drifts_[static_cast<std::size_t>(touched.back().first)] -=
@@ -170,16 +228,18 @@ private:
         }
     }
 
-    void press(const NetworkLaw<SteadyHarmonic>& law, const Lane& lane)
+    void press(const NetworkLaw<SteadyHarmonic>& law, const Lane& lane, std::size_t j)
     {
-        const SteadyHarmonic push =
-            law.push(motion_.contact).at(lane.waves.arriving(), force_, base_);
+        NetworkHarmonicContact& one = motion_.contacts[held_[j]];
+        const SteadyHarmonic push = law.push(j).at(lane.waves.arriving(), force_, base_);
         const HarmonicBounds seen =
             boundsOf(push.swing, given_.omega() * lane.from, given_.omega() * lane.to);
         pull_ = std::max(pull_, -seen.least - push.steady);
-        motion_.peakForce = std::max(motion_.peakForce, seen.most + push.steady);
-        motion_.impulse += integral(push, lane);
-        see(lane, 0.0, {}, push);
+        one.peakForce = std::max(one.peakForce, seen.most + push.steady);
+        one.impulse += integral(push, lane);
+        if (j == motion_.first().contact) {
+            see(lane, 0.0, {}, push);
+        }
     }
 
     /// What bars that drift go.
@@ -212,11 +272,11 @@ private:
             return law.velocity(node).at(lane.waves.arriving(), force_, base_);
         });
         overlap_ = std::max(overlap_, -leastWay(rate, lane) - distances_[j]);
-        if (j == motion_.contact) {
+        speeds_[j] = -(rate.swing * turned(given_.omega() * lane.to)).real() - rate.steady;
+        if (j == motion_.first().contact) {
             const SteadyHarmonic way(rate.steady, rate.swing / slope_);
             const double start = (way.swing * turned(given_.omega() * lane.from)).real();
             see(lane, distances_[j] - start, way, {});
-            motion_.speed = -(rate.swing * turned(given_.omega() * lane.to)).real() - rate.steady;
         }
         distances_[j] += integral(rate, lane);
     }
@@ -257,8 +317,11 @@ private:
     NetworkHarmonicMotion& motion_;
     const HarmonicWatch& watch_;
     double step_ = 0.0;
-    NetworkLaw<SteadyHarmonic> open_;
-    NetworkLaw<SteadyHarmonic> closed_;
+    std::map<ContactSet, NetworkLaw<SteadyHarmonic>> laws_;
+    ContactSet closed_ = 0;
+    std::vector<std::size_t> held_ = std::vector<std::size_t>(network_.contacts.size(), isOpen);
+    std::vector<std::size_t> before_ = held_;
+    std::vector<double> speeds_ = std::vector<double>(network_.contacts.size(), 0.0);
     Complex drive_;
     Complex slope_;  ///< i omega
     SteadyHarmonic force_;
@@ -269,6 +332,7 @@ private:
     std::vector<double> startDrifts_;
     std::vector<double> distances_;
     double size_ = 0.0;  ///< of the largest wave
+    double defect_ = 0.0;
     double stiffest_ = 0.0;
     double pull_ = 0.0;
     double overlap_ = 0.0;
@@ -281,6 +345,11 @@ void measure(const HarmonicNetwork& given, NetworkHarmonicMotion& motion,
 {
     motion.impulse = 0.0;
     motion.peakForce = 0.0;
+    motion.speed = 0.0;
+    for (NetworkHarmonicContact& one : motion.contacts) {
+        one.impulse = 0.0;
+        one.peakForce = 0.0;
+    }
     HarmonicSteps(given, motion, watch).run();
 }
 

@@ -11,7 +11,7 @@
 
 namespace signorini {
 
-/// The contact that closes at one time: how far it is open, and the force of it.
+/// The first contact at one time: how far it is open, and the force of it.
 struct ContactInstant {
     double time;
     double distance;
@@ -28,10 +28,11 @@ struct HarmonicWatch {
         {};
 };
 
-/// Fills in impulse, peakForce, speed and residual. Distances follow from the waves at the start,
-/// of a bar that drifts from where the contact closes; elsewhere it swings about its place in the
-/// scene. Within a step push and rate are a constant and a harmonic, whose extremes are known. O(M
-/// + n nodes).
+/// Fills in impulse, peakForce and speed, of each contact too, and residual. Distances follow from
+/// the waves at the start, of a bar that drifts from where the first contact closes; elsewhere it
+/// swings about its place in the scene. Within a step push and rate are a constant and a harmonic,
+/// whose extremes are known. O(M
+/// + n nodes) for each lane.
 void measure(const HarmonicNetwork& given, NetworkHarmonicMotion& motion,
              const HarmonicWatch& watch = {});
 

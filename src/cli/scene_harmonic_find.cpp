@@ -27,8 +27,8 @@ std::string asText(const answers::SceneHarmonicAnswer& answer)
         const NetworkScales& scales = motion.scales;
         text += fmt::format(
             "motion      contact {} for {:.6g} s, ended {}; phase {:.6g} rad, residual {:.2g}\n",
-            value.contact + 1, value.release * scales.time,
-            value.isPinned ? "by a wave front" : "smoothly", value.phase, value.residual);
+            value.first().contact + 1, value.contactTime() * scales.time,
+            value.first().isPinned ? "by a wave front" : "smoothly", value.phase, value.residual);
         text += fmt::format("force       at most {:.6g} N, impulse {:.6g} N s; met at {:.6g} m/s\n",
                             value.peakForce * scales.force(),
                             value.impulse * scales.force() * scales.time,

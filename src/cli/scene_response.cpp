@@ -128,7 +128,7 @@ std::string asText(const SceneResponse& answer)
     if (worst != nullptr) {
         text += fmt::format("worst       force {:.6g} N at contact {}, at {:.6g} Hz\n",
                             worst->value.peakForce * answer.scales.force(),
-                            worst->value.contact + 1, worstAt->hertz);
+                            worst->value.first().contact + 1, worstAt->hertz);
     }
     text += strainText(answer) + stabilityText(answer);
     const auto open = std::find_if(answer.frequencies.begin(), answer.frequencies.end(),
@@ -157,8 +157,8 @@ void writeSceneResponseCsv(const std::string& path, const SceneResponse& answer)
                 const SceneHarmonicMotion& motion = at.motions[k];
                 const auto& [value, scales, strains, inSteps] = motion;
                 const bool isTried = inSteps && inSteps->stability;
-                put(k, value.contact + 1, value.release * scales.time, motion.release(),
-                    value.phase, value.impulse * scales.force() * scales.time,
+                put(k, value.first().contact + 1, value.contactTime() * scales.time,
+                    motion.release(), value.phase, value.impulse * scales.force() * scales.time,
                     value.peakForce * scales.force(), value.speed * scales.velocity(),
                     value.residual,
                     isTried ? name(inSteps->stability->result.stability) : std::string_view(),

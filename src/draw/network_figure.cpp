@@ -264,10 +264,15 @@ FigureData harmonicFigure(const answers::SceneHarmonicAnswer& answer, std::size_
         force.add(at.time * second.factor, at.push * newton.factor);
     }
     const Axis time = axisIn(second, "time  t", 0.0, instants.back());
+    std::vector<NetworkContactEvent> events;
+    events.reserve(one.contacts.size());
+    for (const NetworkHarmonicContact& contact : one.contacts) {
+        events.push_back({.contact = contact.contact, .start = contact.begin, .end = contact.end});
+    }
     const double swing = largestOf(seen.displacements, [](double u) { return std::abs(u); });
     Panel above = fieldPanel(network, answer.bars.assembly.length,
                              {time, second, axisUnit(scales.displacement, swing, "m")}, instants,
-                             seen, {{.contact = one.contact, .start = 0.0, .end = one.release}});
+                             seen, events);
     above.place = {0.13, 0.86, 0.66, 0.92};
     above.colourBar = Place{0.88, 0.9, 0.66, 0.92};
     Panel middle{.name = "gap", .place = {0.13, 0.86, 0.38, 0.62}, .x = bare(time)};
@@ -276,8 +281,8 @@ FigureData harmonicFigure(const answers::SceneHarmonicAnswer& answer, std::size_
     Panel below{.name = "force", .place = {0.13, 0.86, 0.1, 0.34}, .x = time};
     below.series.push_back(std::move(force));
     below.y = axisAround(below.series, labelled("force", newton));
-    FigureData figure{
-        .title = fmt::format("contact {} over a period, under an exact harmonic", one.contact + 1)};
+    FigureData figure{.title = fmt::format("contact {} over a period, under an exact harmonic",
+                                           one.first().contact + 1)};
     figure.panels = {std::move(above), std::move(middle), std::move(below)};
     return figure;
 }

@@ -46,7 +46,7 @@ FigureData sceneResponseFigure(const answers::SceneResponse& response)
             unknown.add(at.hertz, 0.0, 0.0);
         }
         for (const SceneHarmonicMotion& motion : at.motions) {
-            const std::size_t which = motion.hasTwoContacts() ? two : motion.value.contact;
+            const std::size_t which = motion.hasTwoContacts() ? two : motion.value.first().contact;
             const double force = motion.scales.force();
             contacts[which][motion.attracts() == false ? 1 : 0].add(
                 at.hertz, motion.value.peakForce * force,

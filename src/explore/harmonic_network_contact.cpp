@@ -20,13 +20,8 @@ using Complex = OpenNetwork::Complex;
 
 constexpr double sameContact = 1e-7;  // motions nearer than this are one
 
-struct StillCase {
-    HarmonicNetwork given;
-    HarmonicNetwork unforced;       ///< without what pulls at bars that drift
-    std::vector<double> displaced;  ///< the nodes, by other constant forces
-};
+}  // namespace
 
-/// Distances counted from the shape under these. \throws std::invalid_argument.
 StillCase stillOf(const HarmonicNetwork& given)
 {
     requireAsked(given, maxHarmonicSteps);
@@ -42,6 +37,8 @@ StillCase stillOf(const HarmonicNetwork& given)
     unforced.network = withoutForces(moved.network);
     return {std::move(moved), std::move(unforced), std::move(still.displacements)};
 }
+
+namespace {
 
 /// Constant forces on bars that drift, by node.
 std::vector<double> forcesOf(const Network& network)
@@ -237,24 +234,27 @@ private:
              bool isPinned)
     {
         NetworkHarmonicMotion motion;
-        motion.contact = contact_;
         motion.phase = -angleOf(unit);
-        motion.release = release;
-        motion.isPinned = isPinned;
+        motion.contacts = {{.contact = contact_, .end = release, .isPinned = isPinned}};
         const bool isKnown = std::any_of(found_.begin(), found_.end(), [&](const auto& other) {
-            return other.contact == contact_ && std::abs(other.release - release) <= sameContact &&
+            return other.first().contact == contact_ &&
+                   std::abs(other.first().end - release) <= sameContact &&
                    std::abs(std::remainder(other.phase - motion.phase, 2.0 * std::numbers::pi)) <=
                        sameContact;
         });
         if (isKnown || !pushesAll(unit, early)) {
             return;
         }
-        motion.late = wavesOf(late, unit);
-        motion.early = isPinned ? motion.late : wavesOf(early, unit);
+        const double part = release - std::floor(release);
+        if (part > 0.0) {
+            motion.lanes.push_back({0.0, part, wavesOf(early, unit)});
+        }
+        motion.lanes.push_back({part, 1.0, wavesOf(late, unit)});
         measure(given_, motion);
-        const double force =
-            2.0 * largestOf(given_.network.rows, &CellRow::impedance) *
-            largestOf(motion.late, [](const SteadyHarmonic& wave) { return lengthOf(wave.swing); });
+        const double force = 2.0 * largestOf(given_.network.rows, &CellRow::impedance) *
+                             largestOf(motion.lanes.back().waves, [](const SteadyHarmonic& wave) {
+                                 return lengthOf(wave.swing);
+                             });
         if (motion.residual <= harmonicTolerance && motion.peakForce > harmonicTolerance * force) {
             found_.push_back(std::move(motion));
         }

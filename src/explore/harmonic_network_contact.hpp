@@ -24,6 +24,16 @@ namespace signorini {
 /// Longest period, in steps.
 inline constexpr std::int64_t maxHarmonicSteps = 2'000;
 
+/// What is asked, about the shape under constant forces.
+struct StillCase {
+    HarmonicNetwork given;
+    HarmonicNetwork unforced;       ///< without what pulls at bars that drift
+    std::vector<double> displaced;  ///< the nodes, by other constant forces
+};
+
+/// Distances counted from the shape under these. \throws std::invalid_argument.
+[[nodiscard]] StillCase stillOf(const HarmonicNetwork& given);
+
 /// Under constant forces on bars that drift each step has a constant push beside the harmonic one,
 /// and the mean rate of the distance is 0 in place of the distance at the start.
 ///

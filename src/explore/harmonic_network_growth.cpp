@@ -31,15 +31,15 @@ public:
         : given_(given),
           motion_(motion),
           unforced_(withoutForces(given.network)),
-          contact_(given.network.contacts[motion.contact]),
+          contact_(given.network.contacts[motion.first().contact]),
           bars_(driftingBars(given.network)),
           open_(unforced_, 0),
-          closed_(unforced_, ContactSet{1} << motion.contact),
-          held_(static_cast<std::int64_t>(std::floor(motion.release)))
+          closed_(unforced_, ContactSet{1} << motion.first().contact),
+          held_(static_cast<std::int64_t>(std::floor(motion.first().end)))
     {
         const Complex drive = given.amplitude * turned(-motion.phase);
         startFront(drive);
-        if (motion.isPinned) {
+        if (motion.first().isPinned) {
             findPushes(drive);
         }
     }
@@ -49,7 +49,7 @@ public:
         bool isMet = false;
         std::vector<double> weights{1.0};
         Front front{{unforced_, front_}, drifts_};
-        bool isNewest = motion_.isPinned;
+        bool isNewest = motion_.first().isPinned;
         const double whole = sizeOf(front_);
         const double unit = distanceBy(front);
         double last = 1.0;
@@ -70,7 +70,7 @@ public:
     [[nodiscard]] double fading() const
     {
         double most = fadingOf(held_);
-        if (!motion_.isPinned) {
+        if (!motion_.first().isPinned) {
             most = std::max(most, fadingOf(held_ + 1));
         }
         return most;
@@ -90,8 +90,9 @@ private:
     /// What an open network sends beyond what a closed one does as contact begins.
     void startFront(Complex drive)
     {
-        std::vector<double> waves(motion_.early.size());
-        std::transform(motion_.early.begin(), motion_.early.end(), waves.begin(),
+        const std::vector<SteadyHarmonic>& early = motion_.lanes.front().waves;
+        std::vector<double> waves(early.size());
+        std::transform(early.begin(), early.end(), waves.begin(),
                        [](const SteadyHarmonic& wave) { return wave.steady + wave.swing.real(); });
         const HarmonicNetwork::Drive now = given_.drive(drive);
         const auto sent = [&](ContactSet closed) {
@@ -101,7 +102,7 @@ private:
             return front;
         };
         const Front open = sent(0);
-        const Front closed = sent(ContactSet{1} << motion_.contact);
+        const Front closed = sent(ContactSet{1} << motion_.first().contact);
         const auto without = [](std::vector<double> all, const std::vector<double>& part) {
             std::transform(all.begin(), all.end(), part.begin(), all.begin(), std::minus<>());
             return all;
@@ -123,14 +124,15 @@ private:
     /// The pushes before and after the front that ends the contact.
     void findPushes(Complex drive)
     {
-        const NetworkLaw<SteadyHarmonic> closed(given_.network, ContactSet{1} << motion_.contact);
-        NetworkWaves<SteadyHarmonic> waves(given_.network, motion_.late);
+        const NetworkLaw<SteadyHarmonic> closed(given_.network,
+                                                ContactSet{1} << motion_.first().contact);
+        NetworkWaves<SteadyHarmonic> waves(given_.network, motion_.lanes.back().waves);
         for (std::int64_t m = 0;; ++m) {
             const HarmonicNetwork::Drive now = given_.drive(drive * given_.turn(m));
             const SteadyHarmonic force(0.0, now.force);
             const SteadyHarmonic base(0.0, now.base);
             const SteadyHarmonic push =
-                closed.push(motion_.contact).at(waves.arriving(), force, base);
+                closed.push(motion_.first().contact).at(waves.arriving(), force, base);
             if (m == held_) {
                 pushAfter_ = push.steady + push.swing.real();
                 return;
@@ -171,11 +173,12 @@ private:
     void aPeriodLater(Front& front, const FrontOrders& orders, bool& isNewest, bool& isMet) const
     {
         for (std::int64_t m = 1; m < given_.steps; ++m) {
-            if (m != held_ || !motion_.isPinned) {
+            if (m != held_ || !motion_.first().isPinned) {
                 step(front, m <= held_ ? closed_ : open_);
                 continue;
             }
-            const double push = closed_.push(motion_.contact).at(front.waves.arriving(), 0.0, 0.0);
+            const double push =
+                closed_.push(motion_.first().contact).at(front.waves.arriving(), 0.0, 0.0);
             const double near = 1e-9 * std::abs(pushBefore_ - pushAfter_);
             if (isNewest && std::abs(push) > near) {
                 stepBoth(front, closedPart(push, orders.isLateAtRelease));
@@ -184,7 +187,8 @@ private:
                 step(front, orders.isLateAtRelease ? open_ : closed_);
             }
         }
-        const double push = closed_.push(motion_.contact).at(front.waves.arriving(), 0.0, 0.0);
+        const double push =
+            closed_.push(motion_.first().contact).at(front.waves.arriving(), 0.0, 0.0);
         isMet = isMet || push != 0.0;
         step(front, orders.isLateAtContact ? closed_ : open_);
     }
@@ -241,12 +245,12 @@ private:
 std::optional<double> growthOf(const HarmonicNetwork& given, const NetworkHarmonicMotion& motion)
 {
     const std::size_t drifting = driftingBars(given.network).size();
-    if (drifting > 0 && (drifting > 1 || driftsOf(given.network, motion.contact).empty())) {
+    if (drifting > 0 && (drifting > 1 || driftsOf(given.network, motion.first().contact).empty())) {
         return std::nullopt;  // a bar without contact never comes back to its place
     }
     const NetworkFronts fronts(given, motion);
     const std::optional<double> growth = growthOfOrders(
-        motion.isPinned, [&](const FrontOrders& orders) { return fronts.growth(orders); });
+        motion.first().isPinned, [&](const FrontOrders& orders) { return fronts.growth(orders); });
     if (!growth || *growth >= 1.0) {
         return growth;
     }

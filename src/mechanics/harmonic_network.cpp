@@ -30,6 +30,15 @@ HarmonicNetwork::Drive HarmonicNetwork::drive(std::complex<double> excitation) c
     return {.base = std::complex<double>(0.0, omega()) * excitation};
 }
 
+double NetworkHarmonicMotion::contactTime() const
+{
+    double time = 0.0;
+    for (const NetworkHarmonicContact& one : contacts) {
+        time += one.end - one.begin;
+    }
+    return time;
+}
+
 void requireAsked(const HarmonicNetwork& given, std::int64_t mostSteps)
 {
     Faults faults;

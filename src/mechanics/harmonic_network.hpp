@@ -1,11 +1,11 @@
 #pragma once
 /// \file
-/// Motions of a network under an exact harmonic, with one contact in a period, of any real length.
+/// Motions of a network under an exact harmonic, with contacts of any real length.
 ///
-/// Units of the network: a step is 1. The period is n steps and K cycles. Contact is [0, tau), tau
-/// = j + sigma, so at the times m + s, m = 0, 1, ..., the waves of one s follow the law (N) with j
-/// + 1 steps of contact if s < sigma, "early", and with j if not, "late". On either part each wave
-/// is a constant and one harmonic of s: a vector of both says all.
+/// Units of the network: a step is 1. The period is n steps and K cycles. At the times m + s, m =
+/// 0, 1, ..., the waves of one s follow the law (N) on their own. The places of all beginnings and
+/// ends in their steps cut [0, 1] into lanes, on each of which every step has the same contacts
+/// closed for all s, and each wave is a constant and one harmonic of s: a vector of both says all.
 /// docs/theory.md, section 21.
 
 #include <complex>
@@ -84,17 +84,32 @@ struct HarmonicNetwork {
 /// \throws std::invalid_argument unless n is in 2..mostSteps, K in 1..n/2 and something is driven.
 void requireAsked(const HarmonicNetwork& given, std::int64_t mostSteps);
 
-/// One motion; t = 0 is where contact begins.
-struct NetworkHarmonicMotion {
-    std::size_t contact = 0;            ///< the one that closes
-    double phase = 0.0;                 ///< [rad], of |A| cos(omega t - phase)
-    double release = 0.0;               ///< tau
-    bool isPinned = false;              ///< is it a front that ends it?
-    std::vector<SteadyHarmonic> early;  ///< waves at t = 0 in the order of Network::waves
-    std::vector<SteadyHarmonic> late;
-    double impulse = 0.0;  ///< what follows is measured
+/// One contact of a motion.
+struct NetworkHarmonicContact {
+    std::size_t contact = 0;  ///< the one that closes
+    double begin = 0.0;       ///< in [0, n)
+    double end = 0.0;         ///< > begin; beyond n what goes on in the next period
+    bool isPinned = false;    ///< is it a front that ends it?
+    double impulse = 0.0;     ///< what follows is measured
     double peakForce = 0.0;
-    double speed = 0.0;  ///< with which the contact closes
+    double speed = 0.0;  ///< with which it closes
+};
+
+/// Waves at the times s, from <= s <= to, in the order of Network::waves.
+struct HarmonicLane {
+    double from = 0.0;
+    double to = 1.0;
+    std::vector<SteadyHarmonic> waves;
+};
+
+/// One motion; t = 0 is where the first contact begins.
+struct NetworkHarmonicMotion {
+    double phase = 0.0;                            ///< [rad], of |A| cos(omega t - phase)
+    std::vector<NetworkHarmonicContact> contacts;  ///< one period, as they begin
+    std::vector<HarmonicLane> lanes;               ///< from 0 to 1
+    double impulse = 0.0;                          ///< of all contacts; what follows is measured
+    double peakForce = 0.0;
+    double speed = 0.0;  ///< the largest with which one closes
     /// Of (l - r)/speed, as in NetworkExtremes (network_walk.hpp).
     double leastStrain = 0.0;
     double mostStrain = 0.0;
@@ -103,6 +118,10 @@ struct NetworkHarmonicMotion {
     double residual = 0.0;
     /// [-], of a disturbance in a period, if it is known (harmonic_network_growth.hpp).
     std::optional<double> growth = {};
+
+    [[nodiscard]] const NetworkHarmonicContact& first() const { return contacts.front(); }
+    /// Of all contacts.
+    [[nodiscard]] double contactTime() const;
 };
 
 /// A network that constant forces have displaced, and what moves on from there. Forces on bars that

@@ -71,11 +71,11 @@ TEST_CASE("harmonic network: of one bar the list is that of the closed form")
         REQUIRE(network.size() == bar.size());
         for (std::size_t k = 0; k < bar.size(); ++k) {
             const auto size = static_cast<double>(cells);
-            CHECK(network[k].release == Approx(size * bar[k].contacts[0].end).epsilon(1e-7));
+            CHECK(network[k].contactTime() == Approx(size * bar[k].contacts[0].end).epsilon(1e-7));
             CHECK(network[k].impulse == Approx(size * bar[k].extremes.impulse).epsilon(1e-7));
             CHECK(network[k].peakForce == Approx(bar[k].extremes.peakForce).epsilon(1e-7));
             CHECK(network[k].speed == Approx(bar[k].contacts[0].speed).epsilon(1e-6).margin(1e-8));
-            CHECK(network[k].isPinned == bar[k].contacts[0].isPinned);
+            CHECK(network[k].first().isPinned == bar[k].contacts[0].isPinned);
             CHECK(network[k].residual < 1e-9);
             const auto isBound = [&](double bound, double strain) {
                 CHECK(bound >= strain * (1.0 - 1e-9));
@@ -122,7 +122,7 @@ TEST_CASE("harmonic network: of one bar disturbances grow as by the closed form"
                 continue;
             }
             ++known;
-            ++pinned.at(network[k].isPinned ? 1 : 0);
+            ++pinned.at(network[k].first().isPinned ? 1 : 0);
             ++growing.at(*growth > 1.0 ? 1 : 0);
             // Where waves between fronts fade as slowly both know it to a hundredth only.
             CHECK(*growth == Approx(*closed).epsilon(*closed > 0.8 ? 2e-3 : 2e-2));
@@ -244,19 +244,21 @@ TEST_CASE("harmonic network: bars that bounce under their weight: impulses are t
             const std::int64_t n = 2 * static_cast<std::int64_t>(draw(2.0, 6.0)) + 1;
             const double amplitude = (isShaken ? 0.02 : 0.1) * std::exp2(draw(-1.0, 1.0));
             auto exact = harmonicContacts(HarmonicNetwork{network, place, unit * amplitude, n, 1});
-            std::sort(exact.begin(), exact.end(),
-                      [](const auto& x, const auto& y) { return x.release < y.release; });
+            std::sort(exact.begin(), exact.end(), [](const auto& x, const auto& y) {
+                return x.contactTime() < y.contactTime();
+            });
             std::vector<Met> coarse;
             bool areOne = false;
             for (std::int64_t q = 3; q <= 11 && !areOne; q += 4) {
                 coarse = staircase(one.words, q, n, place, amplitude, one.gravity);
-                areOne = std::equal(
-                    exact.begin(), exact.end(), coarse.begin(), coarse.end(),
-                    [q](const auto& motion, const Met& met) {
-                        return std::abs(motion.impulse - met.impulse) < 1e-6 * met.impulse &&
-                               std::abs(motion.release - met.contact) * static_cast<double>(q) <
-                                   2.0;
-                    });
+                areOne = std::equal(exact.begin(), exact.end(), coarse.begin(), coarse.end(),
+                                    [q](const auto& motion, const Met& met) {
+                                        return std::abs(motion.impulse - met.impulse) <
+                                                   1e-6 * met.impulse &&
+                                               std::abs(motion.contactTime() - met.contact) *
+                                                       static_cast<double>(q) <
+                                                   2.0;
+                                    });
             }
             INFO(one.words << ", n = " << n << ", " << amplitude << ": " << exact.size() << " and "
                            << coarse.size());
@@ -264,7 +266,7 @@ TEST_CASE("harmonic network: bars that bounce under their weight: impulses are t
             for (const NetworkHarmonicMotion& motion : exact) {
                 CHECK(motion.impulse == Approx(weight * static_cast<double>(n)).epsilon(1e-8));
                 CHECK(motion.residual < 1e-8);
-                smooth += motion.isPinned ? 0 : 1;
+                smooth += motion.first().isPinned ? 0 : 1;
             }
             count += exact.size();
         }
@@ -283,7 +285,7 @@ std::optional<StabilityResult> triedOnStaircase(std::string_view words, std::int
     const Network fine = finer(words, q, gravity);
     const double unit = place == Excited::tip ? 1.0 : static_cast<double>(fine.cells());
     const auto size = static_cast<double>(q);
-    const auto nearest = static_cast<std::int64_t>(std::lround(size * exact.release));
+    const auto nearest = static_cast<std::int64_t>(std::lround(size * exact.contactTime()));
     for (const std::int64_t contact : {nearest, nearest + 1, nearest - 1}) {
         const std::vector<ContactSpan> schedule{{1, contact}, {0, q * steps - contact}};
         const ForcedSet set = forcedScene(fine, schedule, {place, 1, {}}, 1e6);
