@@ -26,10 +26,11 @@ from ._core import (AtlasFamily, AtlasRun, AtlasSchedule, BackendUnavailable, Ba
                     HarmonicMotion, HarmonicResult, Mode, ModeChain, ModeMotion, ModePolytope,
                     Motion, PermanentContact, Physical, PolytopeMotion, ProgramProof, Residuals,
                     Result, Scene, SceneContinuum, SceneContinuumPoint, SceneForcedMotion,
-                    SceneForcedResult, SceneFrequency, SceneHarmonicMotion, SceneHarmonicResult,
-                    SceneQuestion, SceneResiduals, SceneResponse, SceneResult, SceneSimulation,
-                    Schedule, Segment, Settled, Simulation, SolutionSet, SolverReport, State,
-                    SteppedProof, StudyPoint, Sweep, SweepPoint, Waves, __version__, backends)
+                    SceneForcedResult, SceneFrequency, SceneHarmonicContact, SceneHarmonicMotion,
+                    SceneHarmonicResult, SceneQuestion, SceneResiduals, SceneResponse,
+                    SceneResult, SceneSimulation, Schedule, Segment, Settled, Simulation,
+                    SolutionSet, SolverReport, State, SteppedProof, StudyPoint, Sweep,
+                    SweepPoint, Waves, __version__, backends)
 from ._find import continuum, find
 from ._forced import Response, exact_response, force_range, response, simulate, sweep
 from ._lists import families, mode, modes, polytope
@@ -50,17 +51,18 @@ if TYPE_CHECKING:
 
 __all__ = [
     "Atlas", "AtlasFamily", "AtlasRun", "AtlasSchedule", "BackendUnavailable", "Bar", "Branch",
-    "BranchMark", "BranchPoint", "Continuum", "ContinuumPoint", "Damping", "Drive", "EnergyBalance",
-    "EnergyExclusion", "EnergyFloorProof", "EnergySection", "ExactFrequency", "ExactResponse",
-    "Family", "FamilyPlace", "FarkasCertificate", "ForcedFrequency", "ForcedMotion", "ForcedResult",
-    "ForceRange", "HarmonicContact", "HarmonicMotion", "HarmonicResult", "Mode", "ModeChain",
-    "ModeMotion", "ModePolytope", "Motion", "PermanentContact", "Physical", "PolytopeMotion",
-    "ProgramProof", "Question", "Residuals", "Response", "Result", "Scene", "SceneContinuum",
-    "SceneContinuumPoint", "SceneForcedMotion", "SceneForcedResult", "SceneFrequency",
-    "SceneHarmonicMotion", "SceneHarmonicResult", "SceneQuestion", "SceneResiduals",
-    "SceneResponse", "SceneResult", "SceneSimulation", "Schedule", "Segment", "Settled",
-    "Simulation", "SolutionSet", "SolverReport", "State", "SteppedProof", "StudyPoint", "Sweep",
-    "SweepPoint", "Table", "Waves",
+    "BranchMark", "BranchPoint", "Continuum", "ContinuumPoint", "Damping", "Drive",
+    "EnergyBalance", "EnergyExclusion", "EnergyFloorProof", "EnergySection", "ExactFrequency",
+    "ExactResponse", "Family", "FamilyPlace", "FarkasCertificate", "ForcedFrequency",
+    "ForcedMotion", "ForcedResult", "ForceRange", "HarmonicContact", "HarmonicMotion",
+    "HarmonicResult", "Mode", "ModeChain", "ModeMotion", "ModePolytope", "Motion",
+    "PermanentContact", "Physical", "PolytopeMotion", "ProgramProof", "Question", "Residuals",
+    "Response", "Result", "Scene", "SceneContinuum", "SceneContinuumPoint", "SceneForcedMotion",
+    "SceneForcedResult", "SceneFrequency", "SceneHarmonicContact", "SceneHarmonicMotion",
+    "SceneHarmonicResult", "SceneQuestion", "SceneResiduals", "SceneResponse", "SceneResult",
+    "SceneSimulation", "Schedule", "Segment", "Settled", "Simulation", "SolutionSet",
+    "SolverReport", "State", "SteppedProof", "StudyPoint", "Sweep", "SweepPoint", "Table",
+    "Waves",
     "__version__", "backends", "continuum", "exact_response", "families", "find", "force_range",
     "mode", "modes", "plot", "polytope", "response", "simulate", "study", "sweep",
 ]

@@ -627,11 +627,13 @@ class SceneHarmonicMotion(_Record):
     residual: float
     strains: SceneStrains
     admissible: bool
+    contacts: Optional[list[SceneHarmonicContact]]
     stability: Optional[SceneStabilityReport]
     spans: Optional[list[ContactSpan]]
     amplitude: Optional[float]
 
 class SceneHarmonicResult(_Found, _Framed, _MovingEach, _OfBars, _Excited):
+    contacts_in_period: int
     amplitude: float
     steps: int
     period: float

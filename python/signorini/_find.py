@@ -105,8 +105,8 @@ def find(
     With `period`, `frequency` or `hertz` in place of a schedule all motions of
     that period on the grid. With `damping` and `force` forced, damped motions:
     of a schedule, the least amplitude or those of one; of a period or frequency
-    those with `contacts` contacts under an exact harmonic, on no grid (of segments
-    those with one, as of bars in a row). Of several
+    those with `contacts` contacts under an exact harmonic, on no grid: of one
+    contact all, of several the one on which bars at rest settle. Of several
     bars in a row (`scene` in words) a schedule is n_c, n_f, ... at one contact, or
     words "SET:STEPS": ``find("1:4", "1+2:1", "-:9", scene=...)``.
 

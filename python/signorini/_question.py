@@ -97,8 +97,10 @@ def find_bars(asked: dict[str, Any], times: dict[str, Any], usual: dict[str, Any
     """Answer what is asked about several bars: of a schedule, or under an exact harmonic."""
     if asked["damping"] is not None:
         raise ValueError("damping clashes with a scene of words: allowed dash=D among them")
-    refuse(asked, usual, ("cells", "tip_floor", "formulation", "contacts"),
+    refuse(asked, usual, ("cells", "tip_floor", "formulation"),
            "without a scene of words, gravity, or segments under an exact harmonic")
+    if not times or asked["force"] is None:
+        refuse(asked, usual, ("contacts",), "of a period, together with force")
     schedule = asked["schedule"]
     if not times:
         forced = asked["force"] is not None

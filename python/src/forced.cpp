@@ -87,8 +87,10 @@ SceneHarmonicAnswer findHarmonicBars(const Asked& asked)
     const auto amplitude = asked.get<double>("amplitude");
     const auto derivative = asked.get<int>("derivative");
     const auto limit = asked.maybe<double>("strain_limit");
-    return patiently(asked, [=](const Wires&) {
-        return within(limit, answerOf(assembly, place, cycles, steps, amplitude, derivative));
+    const auto contacts = asked.get<std::int64_t>("contacts");
+    return patiently(asked, [=](const Wires& wires) {
+        return within(limit, answerOf(assembly, place, cycles, steps, amplitude, derivative,
+                                      contacts, wires.cancel));
     });
 }
 
@@ -211,9 +213,9 @@ SceneResponse responseOfBars(const Asked& asked)
 
 void addForced(py::module_& module)
 {
-    addClasses<HarmonicContactOf, HarmonicMotionOf, SceneHarmonicMotion, PermanentOf, FrequencyOf,
-               ExactFrequencyOf, BranchPointOf, BranchMarkOf, ExactBranchOf, SceneFrequency,
-               ForceRange>(module);
+    addClasses<HarmonicContactOf, HarmonicMotionOf, SceneHarmonicContact, SceneHarmonicMotion,
+               PermanentOf, FrequencyOf, ExactFrequencyOf, BranchPointOf, BranchMarkOf,
+               ExactBranchOf, SceneFrequency, ForceRange>(module);
     addMotionOf(module);
     Record<ForcedAnswer>(module)
         .draws([](const ForcedAnswer& a, std::size_t k) {

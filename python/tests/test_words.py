@@ -206,7 +206,7 @@ def test_what_no_question_of_segments_looks_at_is_refused() -> None:
             untyped.find(**asked, **wrong)
 
 
-@pytest.mark.parametrize("wrong", [{"contacts": 2}, {"tip_floor": -1.0}, {"formulation": "state"}])
+@pytest.mark.parametrize("wrong", [{"tip_floor": -1.0}, {"formulation": "state"}])
 def test_what_segments_under_a_harmonic_do_not_take_names_them(wrong: dict[str, Any]) -> None:
     segments: dict[str, Any] = {"segments": [(3, 1.0), (3, 2.0)], "hertz": 0.5, "force": "tip",
                                 "damping": 0.1, "amplitude": 1e-3}

@@ -46,6 +46,14 @@ HarmonicAnswer answerOf(const ExactPeriod& period, const Damping& damping, Excit
     return answer;
 }
 
+std::string settledDetail(std::string_view who, std::string_view touches, std::int64_t contacts,
+                          std::int64_t cycles)
+{
+    return contacts > 0 ? fmt::format("{} on {} contact{} in {} cycle{}", who, contacts,
+                                      contacts == 1 ? "" : "s", cycles, cycles == 1 ? "" : "s")
+                        : fmt::format("{} on no motion that {}", who, touches);
+}
+
 std::optional<std::string> HarmonicLimit::detail() const
 {
     return beyond > 0 ? std::optional(fmt::format(
@@ -83,11 +91,8 @@ std::optional<std::string> HarmonicAnswer::detail() const
         return limit.detail();
     }
     if (contacts > 1) {
-        return settledContacts > 0
-                   ? fmt::format("a bar at rest settles on {} contact{} in {} cycle{}",
-                                 settledContacts, settledContacts == 1 ? "" : "s", settledCycles,
-                                 settledCycles == 1 ? "" : "s")
-                   : "a bar at rest settles on no motion that touches a stop";
+        return settledDetail("a bar at rest settles", "touches a stop", settledContacts,
+                             settledCycles);
     }
     const double flight = all.flight.value_or(given().step) * scales(bar).time;
     return fmt::format(

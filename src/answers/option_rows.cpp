@@ -181,9 +181,9 @@ std::vector<Option> ofForce()
         positive("--to-hertz", sweep, "F", "Hz", "the same in Hz", "", "most"),
         whole("--cycles", forced | forcedPeriod | network | response, "K", 1, maxForcedSteps / 2,
               "cycles of the excitation in a period of the motion", "1"),
-        whole("--contacts", forcedPeriod, "K", 1, maxHarmonicContacts,
+        whole("--contacts", forcedPeriod | network, "K", 1, maxHarmonicContacts,
               "with --period, --frequency or --hertz: contacts in a period; of several the motion "
-              "on which a bar at rest settles",
+              "on which a bar at rest settles, or bars",
               "1"),
         whole("--contacts", response, "K", 1, 2,
               "largest number of contacts in a period; 2: also every schedule with two, each at "

@@ -1,9 +1,11 @@
 #include "scene_harmonic_answer.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "faults.hpp"
 #include "harmonic_network_contact.hpp"
+#include "harmonic_network_settled.hpp"
 #include "late_contacts.hpp"
 
 namespace signorini::answers {
@@ -59,12 +61,27 @@ bool mayPress(const Network& network)
 }  // namespace
 
 SceneHarmonicAnswer answerOf(const Assembly& assembly, Excited place, std::int64_t cycles,
-                             std::int64_t steps, double amplitude, int derivative)
+                             std::int64_t steps, double amplitude, int derivative,
+                             std::int64_t contacts, const Cancel& cancel)
 {
     const Network network = networkOf(assembly);
     SceneHarmonicAnswer answer{
-        place, cycles, amplitude, steps, network.scales, severalOf(assembly, network), {}};
+        place,    cycles, amplitude, steps, network.scales, severalOf(assembly, network),
+        contacts, {}};
     answer.amplitude = displacementAt(answer.frequency(), amplitude, derivative);
+    if (contacts > 1) {
+        SettlingSearch search;
+        search.mostCycles = std::max(search.mostCycles, cycles);
+        search.cancel = cancel;
+        SettledNetwork settled = settledHarmonic(answer.given(), search);
+        answer.settledContacts = settled.contacts;
+        answer.settledCycles = settled.cycles;
+        if (settled.motion && settled.contacts == contacts) {
+            answer.motions.push_back(
+                motionOf(assembly, network.scales, std::move(*settled.motion)));
+        }
+        return answer;
+    }
     for (NetworkHarmonicMotion& motion : harmonicContacts(answer.given())) {
         answer.motions.push_back(motionOf(assembly, network.scales, std::move(motion)));
     }
@@ -77,6 +94,19 @@ SceneHarmonicMotion motionOf(const Assembly& assembly, const NetworkScales& scal
 {
     const SceneStrains strains = strainsOf(assembly, scales, motion.leastStrain, motion.mostStrain);
     return {std::move(motion), scales, strains};
+}
+
+std::optional<std::vector<SceneHarmonicContact>> SceneHarmonicMotion::contacts() const
+{
+    if (inSteps) {
+        return std::nullopt;
+    }
+    std::vector<SceneHarmonicContact> all;
+    all.reserve(value.contacts.size());
+    for (const NetworkHarmonicContact& one : value.contacts) {
+        all.push_back({one, scales});
+    }
+    return all;
 }
 
 std::optional<bool> SceneHarmonicMotion::attracts() const
@@ -131,6 +161,10 @@ std::optional<std::string> SceneHarmonicAnswer::detail() const
                "that nothing holds, and cannot";
     }
     const auto beyond = limit.detail();
+    if (!beyond && contacts > 1) {
+        return settledDetail("bars at rest settle", "closes a contact", settledContacts,
+                             settledCycles);
+    }
     return beyond ? beyond : "no motion with one contact in a period: computed, not proved";
 }
 

@@ -20,6 +20,12 @@ struct AskedSteps {
 [[nodiscard]] std::int64_t stepsOf(const Assembly& assembly, const AskedSteps& asked,
                                    std::int64_t cycles);
 
+/// One of its contacts.
+struct SceneHarmonicContact {
+    NetworkHarmonicContact value;
+    NetworkScales scales;
+};
+
 /// One motion, and what its units are in SI.
 struct SceneHarmonicMotion {
     NetworkHarmonicMotion value;
@@ -38,6 +44,8 @@ struct SceneHarmonicMotion {
     /// Does it come back when it is disturbed? As growth says, or as was tried under a staircase;
     /// nothing where neither tells.
     [[nodiscard]] std::optional<bool> attracts() const;
+    /// Of one under an exact harmonic.
+    [[nodiscard]] std::optional<std::vector<SceneHarmonicContact>> contacts() const;
     [[nodiscard]] bool hasTwoContacts() const { return inSteps && !inSteps->spans.empty(); }
     /// What such a motion has of its own.
     template <typename Member>
@@ -51,7 +59,8 @@ struct SceneHarmonicMotion {
     }
 };
 
-/// The motions with one contact in a period of n steps.
+/// The motions with one contact in a period of n steps, or with several the one on which bars at
+/// rest settle.
 struct SceneHarmonicAnswer {
     Excited place;
     std::int64_t cycles;  ///< of the excitation in a period
@@ -59,7 +68,10 @@ struct SceneHarmonicAnswer {
     std::int64_t steps;   ///< n
     NetworkScales scales;
     SeveralBars bars;
+    std::int64_t contacts;                     ///< in a period
     std::vector<SceneHarmonicMotion> motions;  ///< by ascending impulse
+    std::int64_t settledContacts = 0;          ///< of what bars at rest settled on, if it was asked
+    std::int64_t settledCycles = 0;            ///< the period of that
     HarmonicLimit limit = {};
     /// Does momentum allow a contact to press? Constant forces on bars that drift may not.
     bool mayPress = true;
@@ -85,10 +97,38 @@ struct SceneHarmonicAnswer {
                                            NetworkHarmonicMotion motion);
 
 /// Of an amplitude [N or m], or of a derivative of the base's displacement [m/s, m/s^2].
-/// \throws as harmonicContacts (harmonic_network_contact.hpp).
+/// \throws as harmonicContacts (harmonic_network_contact.hpp), or of several contacts as
+/// settledHarmonic (harmonic_network_settled.hpp).
 [[nodiscard]] SceneHarmonicAnswer answerOf(const Assembly& assembly, Excited place,
                                            std::int64_t cycles, std::int64_t steps,
-                                           double amplitude, int derivative);
+                                           double amplitude, int derivative,
+                                           std::int64_t contacts = 1, const Cancel& cancel = {});
+
+void describe(auto& d, Type<SceneHarmonicContact>)
+{
+    using C = NetworkHarmonicContact;
+    const auto inUnit = [](auto member, auto unit) {
+        return [member, unit](const SceneHarmonicContact& c) {
+            return std::invoke(member, c.value) * std::invoke(unit, c.scales);
+        };
+    };
+    d.record("SceneHarmonicContact", "One contact of bars under an exact harmonic.");
+    d.key("contact", "- >= 1", "Which.",
+          [](const SceneHarmonicContact& c) { return c.value.contact + 1; });
+    d.key("begin", "s >= 0", "From the start of the first contact.",
+          inUnit(&C::begin, &NetworkScales::time));
+    d.key("end", "s > 0", "The release.", inUnit(&C::end, &NetworkScales::time));
+    d.key("begin_steps", "- >= 0", "The same in steps.", ofValue(&C::begin));
+    d.key("end_steps", "- > 0", "The same in steps.", ofValue(&C::end));
+    d.key("release", "-", R"("smooth": the push fades to 0; "pinned": a wave front ends it.)",
+          ofValue(&releaseOf<C>));
+    d.key("impulse", "N s > 0", "Of its push.", [](const SceneHarmonicContact& c) {
+        return c.value.impulse * c.scales.force() * c.scales.time;
+    });
+    d.key("peak_force", "N > 0", "Largest.", inUnit(&C::peakForce, &NetworkScales::force));
+    d.key("speed", "m/s >= 0", "With which it closes.",
+          inUnit(&C::speed, &NetworkScales::velocity));
+}
 
 void describe(auto& d, Type<SceneHarmonicMotion>)
 {
@@ -96,7 +136,7 @@ void describe(auto& d, Type<SceneHarmonicMotion>)
     d.record("SceneHarmonicMotion",
              "One motion of bars under a harmonic; contact is at any times, under a staircase of "
              "forces at whole steps.");
-    d.key("contact", "- >= 1", "The one that closes; of two the first.",
+    d.key("contact", "- >= 1", "The one that closes; of several the first.",
           [](const T& m) { return m.value.first().contact + 1; });
     d.key("contact_time", "s > 0", "In a period.",
           [](const T& m) { return m.value.contactTime() * m.scales.time; });
@@ -129,6 +169,8 @@ void describe(auto& d, Type<SceneHarmonicMotion>)
     d.key("strains", "-", "In a period.", &T::strains);
     d.key("admissible", "-", "Is s > -1 everywhere?",
           [](const T& m) { return m.compression() < 1.0; });
+    d.key("contacts", "-", "In a period, as they follow each other, under an exact harmonic.",
+          &T::contacts, When::any);
     d.key(
         "stability", "-", "Of the motion when it is perturbed.",
         [](const T& m) { return m.inSteps ? m.inSteps->stability : std::nullopt; }, When::any);
@@ -144,11 +186,13 @@ void describe(auto& d, Type<SceneHarmonicAnswer>)
 {
     using T = SceneHarmonicAnswer;
     d.record("SceneHarmonicResult",
-             "Motions of bars in a row with one contact in a period, under an exact harmonic.");
+             "Motions of bars in a row with one contact in a period, under an exact harmonic; of "
+             "several contacts that on which bars at rest settle.");
     d.key(
         "status", "-",
         R"("found", "undecided", or "none" where no push gives bars that drift their momentum back.)",
         &T::status);
+    d.key("contacts_in_period", "- >= 1", "That were asked for.", &T::contacts);
     d.key("force", "-", "What is excited: driven nodes (tip), or shaken clamps (base).", &T::place);
     d.key("cycles", "- >= 1", "Of the excitation in a period.", &T::cycles);
     d.key("amplitude", "N or m > 0", "Of the excitation.", &T::amplitude);

@@ -42,6 +42,9 @@ public:
             lanes_.push_back({{network_, lane.waves}, lane.from, lane.to});
             size_ = std::max(size_, largestOf(lane.waves, sizeOf));
         }
+        for (const NetworkHarmonicContact& one : motion.contacts) {
+            pressing_ |= ContactSet{1} << one.contact;
+        }
         stiffest_ = largestOf(network_.rows, &CellRow::impedance);
     }
 
@@ -77,9 +80,6 @@ public:
         }
         if (watch_.state) {
             watch_.state(given_.steps, stateAt(given_.steps));
-        }
-        if (watch_.path != nullptr) {
-            watch_.path->push_back({step_ + 1.0, distances_[motion_.first().contact], 0.0});
         }
         comeBack();
         motion_.residual =
@@ -237,9 +237,7 @@ private:
         pull_ = std::max(pull_, -seen.least - push.steady);
         one.peakForce = std::max(one.peakForce, seen.most + push.steady);
         one.impulse += integral(push, lane);
-        if (j == motion_.first().contact) {
-            see(lane, 0.0, {}, push);
-        }
+        see(j, lane, 0.0, {}, push);
     }
 
     /// What bars that drift go.
@@ -253,14 +251,18 @@ private:
     }
 
     /// A distance that is `least` and a speed and a harmonic, and a push.
-    void see(const Lane& lane, double least, const SteadyHarmonic& way, const SteadyHarmonic& push)
+    void see(std::size_t j, const Lane& lane, double least, const SteadyHarmonic& way,
+             const SteadyHarmonic& push)
     {
         constexpr int instants = 4;
-        for (int k = 0; watch_.path != nullptr && k <= instants; ++k) {
+        if (watch_.path == nullptr || !contains(pressing_, j)) {
+            return;
+        }
+        for (int k = 0; k <= instants; ++k) {
             const double s = lane.from + (lane.to - lane.from) * k / instants;
             const Complex turn = turned(given_.omega() * s);
             watch_.path->push_back(
-                {step_ + s, least + way.steady * (s - lane.from) + (way.swing * turn).real(),
+                {j, step_ + s, least + way.steady * (s - lane.from) + (way.swing * turn).real(),
                  push.steady + (push.swing * turn).real()});
         }
     }
@@ -273,11 +275,9 @@ private:
         });
         overlap_ = std::max(overlap_, -leastWay(rate, lane) - distances_[j]);
         speeds_[j] = -(rate.swing * turned(given_.omega() * lane.to)).real() - rate.steady;
-        if (j == motion_.first().contact) {
-            const SteadyHarmonic way(rate.steady, rate.swing / slope_);
-            const double start = (way.swing * turned(given_.omega() * lane.from)).real();
-            see(lane, distances_[j] - start, way, {});
-        }
+        const SteadyHarmonic way(rate.steady, rate.swing / slope_);
+        const double start = (way.swing * turned(given_.omega() * lane.from)).real();
+        see(j, lane, distances_[j] - start, way, {});
         distances_[j] += integral(rate, lane);
     }
 
@@ -318,6 +318,7 @@ private:
     const HarmonicWatch& watch_;
     double step_ = 0.0;
     std::map<ContactSet, NetworkLaw<SteadyHarmonic>> laws_;
+    ContactSet pressing_ = 0;  ///< at some time
     ContactSet closed_ = 0;
     std::vector<std::size_t> held_ = std::vector<std::size_t>(network_.contacts.size(), isOpen);
     std::vector<std::size_t> before_ = held_;

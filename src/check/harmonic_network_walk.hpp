@@ -11,8 +11,9 @@
 
 namespace signorini {
 
-/// The first contact at one time: how far it is open, and the force of it.
+/// A contact of the motion at one time: how far it is open, and the force of it.
 struct ContactInstant {
+    std::size_t contact;
     double time;
     double distance;
     double push;
@@ -20,7 +21,7 @@ struct ContactInstant {
 
 /// What is told on the way.
 struct HarmonicWatch {
-    std::vector<ContactInstant>* path = nullptr;  ///< some times in a step, and at the end
+    std::vector<ContactInstant>* path = nullptr;  ///< some times in a step, its ends too
     /// At each step and at the end, waves as means over cells; O(M) each.
     std::function<void(std::int64_t step, const NetworkStart& now)> state = {};
     /// What arrives in a part of each step, by channel, and which part [from, to] that is.

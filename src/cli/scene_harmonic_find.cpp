@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include "contact_spans.hpp"
 #include "find_command.hpp"
+#include "interrupt.hpp"
 #include "reports.hpp"
 #include "scene_find.hpp"
 #include "scene_harmonic_answer.hpp"
@@ -13,7 +15,8 @@ namespace {
 std::string asText(const answers::SceneHarmonicAnswer& answer)
 {
     std::string text = fmt::format(
-        "{:<12}one contact in {} steps, {}{} of amplitude {:.6g} {}\n", name(answer.status()),
+        "{:<12}{} in {} steps, {}{} of amplitude {:.6g} {}\n", name(answer.status()),
+        answer.contacts == 1 ? "one contact" : fmt::format("{} contacts", answer.contacts),
         answer.steps, answer.place == Excited::tip ? "force on what is driven" : "moving base",
         answer.cycles == 1 ? "" : fmt::format(", {} cycles", answer.cycles), answer.amplitude,
         answer.place == Excited::tip ? "N" : "m");
@@ -25,10 +28,17 @@ std::string asText(const answers::SceneHarmonicAnswer& answer)
     for (const answers::SceneHarmonicMotion& motion : answer.motions) {
         const NetworkHarmonicMotion& value = motion.value;
         const NetworkScales& scales = motion.scales;
-        text += fmt::format(
-            "motion      contact {} for {:.6g} s, ended {}; phase {:.6g} rad, residual {:.2g}\n",
-            value.first().contact + 1, value.contactTime() * scales.time,
-            value.first().isPinned ? "by a wave front" : "smoothly", value.phase, value.residual);
+        for (const NetworkHarmonicContact& one : value.contacts) {
+            text += fmt::format("{:<12}contact {} for {:.6g} s{}, ended {}{}",
+                                &one == &value.first() ? "motion" : "", one.contact + 1,
+                                (one.end - one.begin) * scales.time,
+                                value.contacts.size() == 1
+                                    ? ""
+                                    : fmt::format(" from {:.6g} s", one.begin * scales.time),
+                                one.isPinned ? "by a wave front" : "smoothly",
+                                &one == &value.contacts.back() ? "; " : "\n");
+        }
+        text += fmt::format("phase {:.6g} rad, residual {:.2g}\n", value.phase, value.residual);
         text += fmt::format("force       at most {:.6g} N, impulse {:.6g} N s; met at {:.6g} m/s\n",
                             value.peakForce * scales.force(),
                             value.impulse * scales.force() * scales.time,
@@ -51,16 +61,18 @@ ExitStatus findHarmonicInBars(const FindCommand& call, const Assembly& assembly)
     force.requireAmplitude();
     refuseIf(call.given.has("--certificate"), "--certificate", call.given.text("--certificate"),
              "none with --period, --frequency and --hertz of several bars or segments");
-    refuseIf(call.given.whole("--contacts").value_or(1) != 1, "--contacts",
-             call.given.text("--contacts"),
-             "1; more of one bar of equal segments, which is followed until it settles");
     requireOfBars(call, assembly);
+    const Network network = networkOf(assembly);
+    const std::int64_t contacts = call.given.whole("--contacts").value_or(1);
+    refuseIf(contacts != 1 && !driftingBars(network).empty(), "--contacts",
+             call.given.text("--contacts"), "1; more where a clamp or a spring holds every bar");
+    const Interrupt interrupt;
     FindOutputs files(call);
     const std::int64_t steps = call.stepsOn(assembly, call.cycles);
-    const answers::SceneHarmonicAnswer answer =
-        answers::within(call.given.number("--strain-limit"),
-                        answers::answerOf(assembly, *force.place, call.cycles, steps,
-                                          *force.amplitude, force.derivative));
+    const answers::SceneHarmonicAnswer answer = answers::within(
+        call.given.number("--strain-limit"),
+        answers::answerOf(assembly, *force.place, call.cycles, steps, *force.amplitude,
+                          force.derivative, contacts, interrupt.cancel()));
     if (answer.motions.empty()) {
         files.lackMotion();
     } else {  // the last one has the largest impulse

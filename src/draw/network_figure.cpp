@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <optional>
 #include <stdexcept>
 
@@ -194,6 +196,28 @@ private:
     Unit metre_;
 };
 
+/// By contact: how far it is open, and its force.
+using ContactCurves = std::map<std::size_t, std::array<Series, 2>>;
+
+ContactCurves curvesOf(const std::vector<ContactInstant>& path, double second, double metre,
+                       double newton)
+{
+    constexpr std::array dashes{Dash::solid, Dash::dashed, Dash::dotted, Dash::longDashed};
+    ContactCurves curves;
+    for (const ContactInstant& at : path) {
+        const auto [curve, isNew] = curves.try_emplace(at.contact);
+        auto& [gap, force] = curve->second;
+        if (isNew) {
+            const Dash dash = dashes.at((curves.size() - 1) % dashes.size());
+            gap = line(Role::ink, 1.8, dash);
+            force = line(Role::contact, 1.8, dash);
+        }
+        gap.add(at.time * second, at.distance * metre);
+        force.add(at.time * second, at.push * newton);
+    }
+    return curves;
+}
+
 }  // namespace
 
 FigureData simulationFigure(const NetworkSimulation& simulation)
@@ -257,17 +281,15 @@ FigureData harmonicFigure(const answers::SceneHarmonicAnswer& answer, std::size_
     const Unit metre =
         axisUnit(scales.displacement, largestOf(path, &ContactInstant::distance), "m");
     const Unit newton = axisUnit(scales.force(), largestOf(path, &ContactInstant::push), "N");
-    Series gap{.width = 1.8};
-    Series force{.role = Role::contact, .width = 1.8};
-    for (const ContactInstant& at : path) {
-        gap.add(at.time * second.factor, at.distance * metre.factor);
-        force.add(at.time * second.factor, at.push * newton.factor);
-    }
+    ContactCurves curves = curvesOf(path, second.factor, metre.factor, newton.factor);
     const Axis time = axisIn(second, "time  t", 0.0, instants.back());
     std::vector<NetworkContactEvent> events;
-    events.reserve(one.contacts.size());
+    events.reserve(2 * one.contacts.size());
     for (const NetworkHarmonicContact& contact : one.contacts) {
         events.push_back({.contact = contact.contact, .start = contact.begin, .end = contact.end});
+        if (const double over = contact.end - static_cast<double>(answer.steps); over > 0.0) {
+            events.push_back({.contact = contact.contact, .start = 0.0, .end = over});
+        }
     }
     const double swing = largestOf(seen.displacements, [](double u) { return std::abs(u); });
     Panel above = fieldPanel(network, answer.bars.assembly.length,
@@ -276,13 +298,22 @@ FigureData harmonicFigure(const answers::SceneHarmonicAnswer& answer, std::size_
     above.place = {0.13, 0.86, 0.66, 0.92};
     above.colourBar = Place{0.88, 0.9, 0.66, 0.92};
     Panel middle{.name = "gap", .place = {0.13, 0.86, 0.38, 0.62}, .x = bare(time)};
-    middle.series.push_back(std::move(gap));
-    middle.y = axisAround(middle.series, labelled("open by", metre));
     Panel below{.name = "force", .place = {0.13, 0.86, 0.1, 0.34}, .x = time};
-    below.series.push_back(std::move(force));
+    std::vector<std::string> names;
+    for (auto& [contact, curve] : curves) {
+        names.push_back(std::to_string(contact + 1));
+        if (curves.size() > 1) {
+            curve[0].legend = curve[1].legend = "contact " + names.back();
+            middle.legend = below.legend = Legend::above;
+        }
+        middle.series.push_back(std::move(curve[0]));
+        below.series.push_back(std::move(curve[1]));
+    }
+    middle.y = axisAround(middle.series, labelled("open by", metre));
     below.y = axisAround(below.series, labelled("force", newton));
-    FigureData figure{.title = fmt::format("contact {} over a period, under an exact harmonic",
-                                           one.first().contact + 1)};
+    FigureData figure{.title =
+                          fmt::format("contact{} {} over a period, under an exact harmonic",
+                                      names.size() == 1 ? "" : "s", fmt::join(names, " and "))};
     figure.panels = {std::move(above), std::move(middle), std::move(below)};
     return figure;
 }

@@ -16,6 +16,7 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr std::size_t mostLanes = 600;
+constexpr std::int64_t mostLaneSteps = 20'000'000;
 constexpr int mostEvents = 200;  // in a lane of a step
 constexpr double sameDistance = 1e-14;
 
@@ -82,7 +83,7 @@ bool HarmonicNetworkMarch::advance(std::int64_t steps)
         force_.swing = drive.force;
         base_.swing = drive.base;
         for (std::size_t lane = 0; lane < lanes_.size(); ++lane) {
-            if (!stepLane(lane)) {
+            if (++laneSteps_ > mostLaneSteps || !stepLane(lane)) {
                 return false;
             }
         }

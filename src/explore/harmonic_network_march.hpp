@@ -27,7 +27,7 @@ public:
     [[nodiscard]] static HarmonicNetworkMarch atRest(const HarmonicNetwork& given,
                                                      double mergeBelow);
 
-    /// Whole steps. \return false: too many events or lanes to go on.
+    /// Whole steps. \return false: too many events, lanes, or steps of lanes to go on.
     [[nodiscard]] bool advance(std::int64_t steps);
 
     /// As they began; `end` is 0 while one lasts. Those closed at the start have a negative begin.
@@ -77,6 +77,7 @@ private:
     std::vector<std::size_t> lasting_;  ///< by contact, of those that are closed
     ContactSet closed_ = 0;
     std::int64_t step_ = 0;
+    std::int64_t laneSteps_ = 0;
     SteadyHarmonic force_;
     SteadyHarmonic base_;
     std::map<ContactSet, NetworkLaw<SteadyHarmonic>> laws_;

@@ -81,6 +81,8 @@ CALLS = [
      " --force tip --amplitude 2e-3"),
     ("find-harmonic-bars", "find --period 21/14 --scene 'clamp 6 dash=0.1 driven gap=1e-3 8 dash=0.2 2 clamp'"
      " --force tip --amplitude 2e-3 --strain-limit 1e-2"),
+    ("find-harmonic-bars", "find --period 25/7 --contacts 2 --force tip --amplitude 2e-3"
+     " --scene 'clamp 3 driven stop=5e-4 2 dash=0.3 gap=1e-3 dash=0.3 2:1.3 clamp'"),
     ("response-bars", "response --exact --from 0.4Hz --to 0.7Hz --scene 'clamp 6 dash=0.1 driven gap=1e-3 8 dash=0.2 2"
      " clamp' --force tip --amplitude 2e-3"),
     ("response-bars", "response --from 1.2 --to 1.3 --force base --amplitude 1e-3"
