@@ -12,6 +12,9 @@ std::string headline(const Assembly& assembly, const Network& network)
     std::string text = fmt::format("scene       {} bar{}, {} cells, {:.6g} m; c = {:.6g} m/s",
                                    network.bars.size(), network.bars.size() == 1 ? "" : "s",
                                    network.cells(), assembly.length, assembly.waveSpeed);
+    if (assembly.gravity != 0.0) {
+        text += fmt::format(", gravity {:.6g} m/s²", assembly.gravity);
+    }
     if (reference.frequency > 0.0) {
         text += fmt::format(", ω₁ = {:.6g} Hz", answers::firstHertz(reference));
     }

@@ -111,9 +111,10 @@ private:
     {
         draw({.kind = Kind::arrows, .width = width, .x = {x}, .y = {y}, .x2 = {toX}, .y2 = {toY}});
     }
-    void label(double x, double y, const std::string& words, Role role = Role::ink)
+    void label(double x, double y, const std::string& words, Role role = Role::ink,
+               Align align = Align::centre)
     {
-        Series said = plot::labels(1.0, Align::centre, role);
+        Series said = plot::labels(1.0, align, role);
         said.add(x, y, words);
         draw(std::move(said));
     }
@@ -140,7 +141,10 @@ private:
         if (here.isDriven) {
             arrow(x, -0.42, x + symbol, -0.42);
             arrow(x, -0.42, x - symbol, -0.42);
-            label(x, -0.54, "F cos ωt", Role::ink);
+            // Beside, as springs and dashpots stand below.
+            const double side = isLeftEnd(node) ? 1.0 : -1.0;
+            label(x + 1.3 * side * symbol, -0.42, "F cos ωt", Role::ink,
+                  side > 0.0 ? Align::left : Align::right);
         }
         if (here.force != 0.0) {
             const double way = here.force > 0.0 ? 1.2 * symbol : -1.2 * symbol;

@@ -10,6 +10,7 @@
 #include "harmonic_network_march.hpp"
 #include "harmonic_network_pattern.hpp"
 #include "harmonic_network_walk.hpp"
+#include "repeated_contacts.hpp"
 
 namespace signorini {
 
@@ -40,25 +41,6 @@ std::vector<NetworkHarmonicContact> eventsOf(const std::vector<NetworkHarmonicCo
     std::erase_if(events,
                   [](const auto& one) { return one.end != 0.0 && one.end - one.begin < noWay; });
     return events;
-}
-
-BegunContacts begunIn(const std::vector<NetworkHarmonicContact>& all, double from, double to)
-{
-    const auto at = [&](double time) {
-        return static_cast<std::size_t>(
-            std::lower_bound(all.begin(), all.end(), time,
-                             [](const auto& one, double t) { return one.begin < t; }) -
-            all.begin());
-    };
-    return BegunContacts(all).subspan(at(from), at(to) - at(from));
-}
-
-bool areRepeated(BegunContacts x, BegunContacts y, double later, double tolerance)
-{
-    return std::equal(x.begin(), x.end(), y.begin(), y.end(), [&](const auto& a, const auto& b) {
-        return std::abs(b.begin - a.begin - later) <= tolerance &&
-               std::abs(b.end - a.end - later) <= tolerance && a.contact == b.contact;
-    });
 }
 
 }  // namespace
@@ -94,7 +76,8 @@ SettledNetwork settledHarmonic(const HarmonicNetwork& given, const SettlingSearc
             if (now.empty() || last - 2.0 * period < 0.0 ||
                 std::any_of(now.begin(), now.end(),
                             [](const auto& one) { return one.end == 0.0; }) ||
-                !areRepeated(before, now, period, search.sameTime)) {
+                !areRepeated(before, now, period, search.sameTime,
+                             &NetworkHarmonicContact::contact)) {
                 continue;
             }
             SettledNetwork settled{std::ssize(now), m, {}};

@@ -7,6 +7,7 @@
 
 #include "harmonic_march.hpp"
 #include "harmonic_pattern.hpp"
+#include "repeated_contacts.hpp"
 
 namespace signorini {
 
@@ -17,26 +18,6 @@ constexpr double noFlight = 1e-7;       // L/c
 constexpr std::int64_t firstLook = 30;  // cycles
 
 using Contacts = std::span<const HarmonicContact>;
-
-/// Those that begin in [from, to[.
-Contacts begunIn(const std::vector<HarmonicContact>& all, double from, double to)
-{
-    const auto at = [&](double time) {
-        return static_cast<std::size_t>(
-            std::lower_bound(all.begin(), all.end(), time,
-                             [](const HarmonicContact& one, double t) { return one.begin < t; }) -
-            all.begin());
-    };
-    return Contacts(all).subspan(at(from), at(to) - at(from));
-}
-
-bool areSame(Contacts x, Contacts y, double later, double tolerance)
-{
-    return std::equal(x.begin(), x.end(), y.begin(), y.end(), [&](const auto& a, const auto& b) {
-        return std::abs(b.begin - a.begin - later) <= tolerance &&
-               std::abs(b.end - a.end - later) <= tolerance && a.stop == b.stop;
-    });
-}
 
 /// Contacts of one period, counted from its first beginning.
 HarmonicStart startOf(const std::vector<HarmonicContact>& all, const HarmonicCase& given,
@@ -93,7 +74,8 @@ std::optional<SettledHarmonic> settledHarmonic(const Damping& damping, const Har
             const double last = all[all.size() - 2].end + 1e-9;
             const Contacts now = begunIn(all, last - period, last);
             const Contacts before = begunIn(all, last - 2.0 * period, last - period);
-            if (now.empty() || !areSame(before, now, period, search.sameTime)) {
+            if (now.empty() ||
+                !areRepeated(before, now, period, search.sameTime, &HarmonicContact::stop)) {
                 continue;
             }
             Harmonic whole = excitation;

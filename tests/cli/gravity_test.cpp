@@ -103,6 +103,8 @@ TEST_CASE("cli gravity: a free bar that sags is one with a smaller gap")
         }
     }
     CHECK(found > 10);
+    CHECK_THAT(program.run("find 1 5 --cells 6" + bars(1e-3, 0.02).first).out,
+               containsText("gravity 0.02 m/s²"));
 }
 
 TEST_CASE("cli gravity: under a force, too, of a schedule and of a range of frequencies", "[glpk]")
