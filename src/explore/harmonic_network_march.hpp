@@ -57,7 +57,7 @@ private:
     void setLaw();
     void add(double from, double to, NetworkWaves<SteadyHarmonic> waves);
     [[nodiscard]] std::complex<double> weightOf(double from, double to) const;
-    bool stepLane(std::size_t lane);
+    bool stepLane(std::size_t k);
     [[nodiscard]] SteadyHarmonic rateOf(std::size_t contact, const Lane& lane) const;
     [[nodiscard]] Event firstEvent(const Lane& lane) const;
     [[nodiscard]] double release(const SteadyHarmonic& push, const Lane& lane) const;

@@ -55,6 +55,8 @@ SettledNetwork settledHarmonic(const HarmonicNetwork& given, const SettlingSearc
     }
     HarmonicNetworkMarch march = HarmonicNetworkMarch::atRest(still.given, mergeLanes);
     const double cycle = static_cast<double>(given.steps) / static_cast<double>(given.cycles);
+    const std::int64_t most = std::max(search.mostCycles, given.cycles);
+    SettlingPeriod settling(most, search.sameTime);
     std::int64_t done = 0;  // periods
     for (std::int64_t look = firstPeriods; look * given.cycles <= search.cycles;
          look += std::max(look / 4, firstPeriods)) {
@@ -69,15 +71,15 @@ SettledNetwork settledHarmonic(const HarmonicNetwork& given, const SettlingSearc
         }
         // Just before the last one began, so that those that begin at one time stay together.
         const double last = all.back().begin - 10.0 * search.sameTime;
-        for (std::int64_t m = 1; m <= std::max(search.mostCycles, given.cycles); ++m) {
+        settling.lookAgain();
+        for (std::int64_t m = 1; m <= most; ++m) {
             const double period = static_cast<double>(m) * cycle;
             const BegunContacts now = begunIn(all, last - period, last);
             const BegunContacts before = begunIn(all, last - 2.0 * period, last - period);
             if (now.empty() || last - 2.0 * period < 0.0 ||
                 std::any_of(now.begin(), now.end(),
                             [](const auto& one) { return one.end == 0.0; }) ||
-                !areRepeated(before, now, period, search.sameTime,
-                             &NetworkHarmonicContact::contact)) {
+                !settling.is(m, apart(before, now, period, &NetworkHarmonicContact::contact))) {
                 continue;
             }
             SettledNetwork settled{std::ssize(now), m, {}};

@@ -52,6 +52,7 @@ std::optional<SettledHarmonic> settledHarmonic(const Damping& damping, const Har
     HarmonicCase one = harmonicCase(damping, excitation, stops);
     const double cycle = one.period() / static_cast<double>(one.cycles);
     HarmonicMarch march = HarmonicMarch::atRest(one, mergeBelow);
+    SettlingPeriod settling(search.mostCycles, search.sameTime);
     std::int64_t done = 0;
     for (std::int64_t look = firstLook; look <= search.cycles;
          look += std::max(look / 4, firstLook)) {
@@ -68,6 +69,7 @@ std::optional<SettledHarmonic> settledHarmonic(const Damping& damping, const Har
         if (all.size() < 3) {
             continue;
         }
+        settling.lookAgain();
         for (std::int64_t m = 1; m <= search.mostCycles && 3 * m < look; ++m) {
             const double period = static_cast<double>(m) * cycle;
             // Cut where the tip is free.
@@ -75,7 +77,7 @@ std::optional<SettledHarmonic> settledHarmonic(const Damping& damping, const Har
             const Contacts now = begunIn(all, last - period, last);
             const Contacts before = begunIn(all, last - 2.0 * period, last - period);
             if (now.empty() ||
-                !areRepeated(before, now, period, search.sameTime, &HarmonicContact::stop)) {
+                !settling.is(m, apart(before, now, period, &HarmonicContact::stop))) {
                 continue;
             }
             Harmonic whole = excitation;

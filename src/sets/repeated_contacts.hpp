@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -21,17 +23,51 @@ template <typename Contact>
     return {at(from), at(to)};
 }
 
-/// Are the second those of the first, so much later? `place`: which contact or stop one is of.
+/// How far the second are from the first, so much later, in time; infinite if they are others.
+/// `place`: which contact or stop one is of.
 template <typename Contact, typename Place>
-[[nodiscard]] bool areRepeated(std::span<const Contact> first, std::span<const Contact> second,
-                               double later, double tolerance, Place Contact::*place)
+[[nodiscard]] double apart(std::span<const Contact> first, std::span<const Contact> second,
+                           double later, Place Contact::*place)
 {
-    return std::equal(first.begin(), first.end(), second.begin(), second.end(),
-                      [&](const Contact& a, const Contact& b) {
-                          return std::abs(b.begin - a.begin - later) <= tolerance &&
-                                 std::abs(b.end - a.end - later) <= tolerance &&
-                                 a.*place == b.*place;
-                      });
+    double most = first.size() == second.size() ? 0.0 : std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < first.size() && std::isfinite(most); ++k) {
+        const Contact& a = first[k];
+        const Contact& b = second[k];
+        most = a.*place == b.*place ? std::max({most, std::abs(b.begin - a.begin - later),
+                                                std::abs(b.end - a.end - later)})
+                                    : std::numeric_limits<double>::infinity();
+    }
+    return most;
 }
+
+/// The period, of m = 1, 2, ..., with which contacts settle that are looked at again and again.
+/// What comes nearer to a shorter one from look to look repeats with a multiple of it earlier.
+class SettlingPeriod {
+public:
+    SettlingPeriod(std::int64_t most, double sameTime)
+        : sameTime_(sameTime),
+          last_(static_cast<std::size_t>(most) + 1, std::numeric_limits<double>::infinity())
+    {
+    }
+
+    void lookAgain() { isComing_ = false; }
+
+    /// At each look by ascending m. `apart`: two such periods.
+    [[nodiscard]] bool is(std::int64_t m, double apart)
+    {
+        if (apart <= sameTime_) {
+            return !isComing_;
+        }
+        double& last = last_.at(static_cast<std::size_t>(m));
+        isComing_ = isComing_ || apart < 0.9 * last;
+        last = apart;
+        return false;
+    }
+
+private:
+    double sameTime_;
+    std::vector<double> last_;
+    bool isComing_ = false;  ///< nearer to a shorter period
+};
 
 }  // namespace signorini
