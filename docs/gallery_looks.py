@@ -21,6 +21,8 @@ ORDER = [
     "stepped_bar",
     "string_over_obstacle",
     "bouncing_bar",
+    "between_two_walls",
+    "soft_root",
     "striker_and_rod",
     "two_bars_one_energy",
     "atlas_with_sql",

@@ -17,12 +17,14 @@ from typing import Any
 
 import matplotlib.pyplot as plt
 import numpy as np
+from numpy.typing import NDArray
 
+Numbers = NDArray[np.float64]
 folder = pathlib.Path(tempfile.mkdtemp())
 spring, dashpot, cells = 2.0, 0.3, 6
 
 
-def settled(force: float, ratio: float, wall: float, periods: int = 12) -> tuple[Any, np.ndarray, np.ndarray]:
+def settled(force: float, ratio: float, wall: float, periods: int = 12) -> tuple[Any, Numbers, Numbers]:
     """The answer, and the path of the tip in the last two periods of the force."""
     words = f"spring={spring} {cells} dash={dashpot} driven stop={wall}"
     call = ["signorini", "simulate", "--scene", words, "--amplitude", str(force), "--frequency", str(ratio),
@@ -42,10 +44,11 @@ for _ in range(60):
     low, high = (middle, high) if middle * math.tan(middle) < spring else (low, middle)
 
 
-def linear(k: np.ndarray) -> np.ndarray:
+def linear(k: Numbers) -> Numbers:
     """|u(L)|/F."""
     u, slope = np.cos(k) + spring / k * np.sin(k), spring * np.cos(k) - k * np.sin(k)
-    return np.abs(u / (slope + 1j * k * dashpot * u))
+    moved: Numbers = np.abs(u / (slope + 1j * k * dashpot * u))
+    return moved
 
 
 ratios = np.linspace(0.5, 1.5, 9)

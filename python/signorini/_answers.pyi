@@ -613,6 +613,17 @@ class HarmonicMotion(_Measured):
     enclosed: Optional[float]
     alone_within: Optional[float]
 
+class SceneHarmonicContact(_Record):
+    contact: int
+    begin: float
+    end: float
+    begin_steps: float
+    end_steps: float
+    release: str
+    impulse: float
+    peak_force: float
+    speed: float
+
 class SceneHarmonicMotion(_Record):
     contact: int
     contact_time: float

@@ -17,10 +17,12 @@ template <typename Contact>
                                                double to)
 {
     const auto at = [&](double time) {
-        return std::lower_bound(all.begin(), all.end(), time,
-                                [](const Contact& one, double t) { return one.begin < t; });
+        return static_cast<std::size_t>(
+            std::lower_bound(all.begin(), all.end(), time,
+                             [](const Contact& one, double t) { return one.begin < t; }) -
+            all.begin());
     };
-    return {at(from), at(to)};
+    return std::span(all).subspan(at(from), at(to) - at(from));
 }
 
 /// How far the second are from the first, so much later, in time; infinite if they are others.
