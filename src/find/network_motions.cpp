@@ -165,7 +165,8 @@ private:
         all.system = {rows.system.rows.topRows(unlimited).template cast<double>(),
                       rows.system.rhs.head(unlimited).template cast<double>(),
                       rows.system.equalities};
-        all.conditions.assign(rows.conditions.begin(), rows.conditions.begin() + unlimited);
+        all.conditions.assign(rows.conditions.begin(),
+                              rows.conditions.begin() + static_cast<std::ptrdiff_t>(unlimited));
         all.tied = rows.tied;
         if (const auto dimension = dimensionOfSet(blocks_, sizes, all, demands_.cancel)) {
             result_.dimension = *dimension;
