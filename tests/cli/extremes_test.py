@@ -26,8 +26,8 @@ def main():
         else:
             assert "--velocity" in done.stderr and "allowed" in done.stderr, done.stderr
 
-    force = ("simulate", "--rest", "--force", "tip", "--amplitude", "1e-3", "--periods", "2", "--cells", "7", "--format",
-             "json", "--frequency")
+    force = ("simulate", "--rest", "--force", "tip", "--amplitude", "1e-3", "--periods", "2", "--cells", "7",
+             "--format", "json", "--frequency")
     one, other = run(*force, "8/7"), run(*force, repr(8 / 7))
     assert one.returncode == 0 and one.stdout == other.stdout, one.stderr
     assert "allowed" in run(*force, "8/0").stderr
