@@ -3,7 +3,7 @@ A soft root, and what a wall makes of its mode
 ==============================================
 
 The root of the bar stands on a spring of 2 EA/L, so its first frequency is c k/(2 π L), where k tan k = 2. A force
-F cos ωt on the tip, beside a dashpot of d = 0.3 EA/c, moves it by F/|EA u'/u + iωd| once all has settled; u is
+F cos ωt on the tip, beside a dashpot of d = 0.3 EA/c, moves it by F over the size of EA u'/u + iωd; u is
 cos kx + 2/k sin kx at x = L, k now ωL/c. With a wall in its way it is pressed once in each period.
 """
 
