@@ -92,10 +92,9 @@ public:
         for (const ContactSpan& span : schedule) {
             step_ += span.steps;
         }
-        std::map<ContactSet, NetworkLaw<Number>> laws;
+        NetworkLaws<Number> laws(network);
         for (std::size_t k = schedule.size(); k-- > 0;) {
-            const ContactSet closed = schedule[k].closed;
-            const auto& law = laws.try_emplace(closed, network, closed).first->second;
+            const NetworkLaw<Number>& law = laws.of(schedule[k].closed);
             for (std::int64_t m = 0; m < schedule[k].steps; ++m) {
                 stepBack(law);
             }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 
 #include "contact_spans.hpp"
@@ -34,13 +33,14 @@ public:
           network_(given.network),
           motion_(motion),
           watch_(watch),
+          laws_(given.network),
           drive_(given.amplitude * turned(-motion.phase)),
           slope_(0.0, given.omega()),
           bars_(driftingBars(given.network))
     {
         for (const HarmonicLane& lane : motion.lanes) {
             lanes_.push_back({{network_, lane.waves}, lane.from, lane.to});
-            size_ = std::max(size_, largestOf(lane.waves, sizeOf));
+            size_ = std::max(size_, largestOf(lane.waves, &SteadyHarmonic::largest));
         }
         for (const NetworkHarmonicContact& one : motion.contacts) {
             pressing_ |= ContactSet{1} << one.contact;
@@ -66,7 +66,7 @@ public:
                     watch_.arrivals(lane.waves.arriving(), lane.from, lane.to);
                 }
                 findHeld(step_ + 0.5 * (lane.from + lane.to));
-                const NetworkLaw<SteadyHarmonic>& law = lawOf(closed_);
+                const NetworkLaw<SteadyHarmonic>& law = laws_.of(closed_);
                 for (std::size_t j = 0; j < network_.contacts.size(); ++j) {
                     if (held_[j] != isOpen) {
                         press(law, lane, j);
@@ -86,12 +86,19 @@ public:
             std::max({defect_, pull_ / (2.0 * stiffest_ * size_), overlap_ / length()});
     }
 
-private:
-    [[nodiscard]] const NetworkLaw<SteadyHarmonic>& lawOf(ContactSet closed)
+    /// Finds how far contacts are open at the start.
+    const std::vector<double>& startDistances()
     {
-        return laws_.try_emplace(closed, network_, closed).first->second;
+        placeBars();
+        const std::vector<double> places = stateAt(0).displacements;
+        for (const NetworkContact& contact : network_.contacts) {
+            distances_.push_back(
+                contact.gap + openingOf(contact, [&](std::size_t node) { return places[node]; }));
+        }
+        return distances_;
     }
 
+private:
     /// Of beginnings and ends in their steps from where lanes meet.
     [[nodiscard]] double cutsMissed() const
     {
@@ -144,7 +151,7 @@ private:
             const std::vector<SteadyHarmonic> after = lanes_[i].waves.waves();
             const std::vector<SteadyHarmonic>& before = motion_.lanes[i].waves;
             for (std::size_t k = 0; k < after.size(); ++k) {
-                defect_ = std::max(defect_, sizeOf(after[k] - before[k]) / size_);
+                defect_ = std::max(defect_, (after[k] - before[k]).largest() / size_);
             }
         }
         for (std::size_t k = 0; k < drifts_.size(); ++k) {
@@ -158,11 +165,6 @@ private:
         }
     }
 
-    static double sizeOf(const SteadyHarmonic& wave)
-    {
-        return std::abs(wave.steady) + lengthOf(wave.swing);
-    }
-
     /// Of what distances are compared with.
     [[nodiscard]] double length() const
     {
@@ -174,8 +176,7 @@ private:
     {
         NetworkStart now{std::vector<double>(network_.waves(), 0.0), {}};
         for (const Lane& lane : lanes_) {
-            const Complex weight =
-                (turned(given_.omega() * lane.to) - turned(given_.omega() * lane.from)) / slope_;
+            const Complex weight = given_.weight(lane.from, lane.to);
             const std::vector<SteadyHarmonic> values = lane.waves.waves();
             for (std::size_t i = 0; i < values.size(); ++i) {
                 now.waves[i] +=
@@ -201,7 +202,7 @@ private:
         const std::span<const SteadyHarmonic> arriving = lanes_.front().waves.arriving();
         for (const std::size_t bar : bars_) {
             const LinearForm<SteadyHarmonic>& velocity =
-                lawOf(0).velocity(network_.bars[bar].firstNode);
+                laws_.of(0).velocity(network_.bars[bar].firstNode);
             const SteadyHarmonic rate =
                 velocity.at(arriving, SteadyHarmonic(0.0, force), SteadyHarmonic(0.0, base));
             drifts_.push_back((rate.swing / slope_).real());
@@ -216,16 +217,6 @@ private:
                 touched.back().second * distance;
         }
         startDrifts_ = drifts_;
-    }
-
-    void startDistances()
-    {
-        placeBars();
-        const std::vector<double> places = stateAt(0).displacements;
-        for (const NetworkContact& contact : network_.contacts) {
-            distances_.push_back(
-                contact.gap + openingOf(contact, [&](std::size_t node) { return places[node]; }));
-        }
     }
 
     void press(const NetworkLaw<SteadyHarmonic>& law, const Lane& lane, std::size_t j)
@@ -263,7 +254,7 @@ private:
             const Complex turn = turned(given_.omega() * s);
             watch_.path->push_back(
                 {j, step_ + s, least + way.steady * (s - lane.from) + (way.swing * turn).real(),
-                 push.steady + (push.swing * turn).real()});
+                 push.at(turn)});
         }
     }
 
@@ -317,7 +308,7 @@ private:
     NetworkHarmonicMotion& motion_;
     const HarmonicWatch& watch_;
     double step_ = 0.0;
-    std::map<ContactSet, NetworkLaw<SteadyHarmonic>> laws_;
+    NetworkLaws<SteadyHarmonic> laws_;
     ContactSet pressing_ = 0;  ///< at some time
     ContactSet closed_ = 0;
     std::vector<std::size_t> held_ = std::vector<std::size_t>(network_.contacts.size(), isOpen);
@@ -352,6 +343,12 @@ void measure(const HarmonicNetwork& given, NetworkHarmonicMotion& motion,
         one.peakForce = 0.0;
     }
     HarmonicSteps(given, motion, watch).run();
+}
+
+std::vector<double> startDistances(const HarmonicNetwork& given, NetworkHarmonicMotion motion)
+{
+    const HarmonicWatch none;
+    return HarmonicSteps(given, motion, none).startDistances();
 }
 
 }  // namespace signorini

@@ -32,10 +32,13 @@ struct HarmonicWatch {
 /// Fills in impulse, peakForce and speed, of each contact too, and residual. Distances follow from
 /// the waves at the start, of a bar that drifts from where the first contact closes; elsewhere it
 /// swings about its place in the scene. Within a step push and rate are a constant and a harmonic,
-/// whose extremes are known. O(M
-/// + n nodes) for each lane.
+/// whose extremes are known. O(M + n nodes) for each lane.
 void measure(const HarmonicNetwork& given, NetworkHarmonicMotion& motion,
              const HarmonicWatch& watch = {});
+
+/// How far each contact is open at t = 0, as above. O(M) for each lane.
+[[nodiscard]] std::vector<double> startDistances(const HarmonicNetwork& given,
+                                                 NetworkHarmonicMotion motion);
 
 /// Fills in leastStrain and mostStrain, over a shape in which constant forces have displaced the
 /// nodes so far. What meets in a cell during a step are all times of two harmonics, so these bounds

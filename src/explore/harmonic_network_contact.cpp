@@ -59,18 +59,8 @@ struct HeldSteps {
     SteadyHarmonic left;
     SteadyHarmonic next;  ///< the rate in the step after it
 
-    [[nodiscard]] double largestPush() const
-    {
-        return largestOf(pushes, [](const SteadyHarmonic& push) {
-            return std::abs(push.steady) + lengthOf(push.swing);
-        });
-    }
+    [[nodiscard]] double largestPush() const { return largestOf(pushes, &SteadyHarmonic::largest); }
 };
-
-double atStart(const SteadyHarmonic& value, Complex unit)
-{
-    return value.steady + (value.swing * unit).real();
-}
 
 /// Every length of one contact of a network.
 class NetworkContactSearch {
@@ -222,8 +212,8 @@ private:
                                                  lengthOf(held.next.swing) + lengthOf(drivenRate_));
         const double nearPush = harmonicTolerance * (held.largestPush() + lengthOf(drivenRate_));
         forEachPinnedRelease(gap, -held.left.steady, [&](Complex unit) {
-            if (atStart(held.pushes.back(), given_.turn(1) * unit) >= -nearPush &&
-                atStart(held.next, unit) >= -near) {
+            if (held.pushes.back().at(given_.turn(1) * unit) >= -nearPush &&
+                held.next.at(unit) >= -near) {
                 add(static_cast<double>(j), unit, held, held, true);
             }
         });
@@ -264,9 +254,8 @@ private:
     [[nodiscard]] bool pushesAll(Complex unit, const HeldSteps& held) const
     {
         const double near = 1e-6 * (held.largestPush() + lengthOf(drivenRate_));
-        return std::all_of(held.pushes.begin(), held.pushes.end(), [&](const SteadyHarmonic& push) {
-            return atStart(push, unit) >= -near;
-        });
+        return std::all_of(held.pushes.begin(), held.pushes.end(),
+                           [&](const SteadyHarmonic& push) { return push.at(unit) >= -near; });
     }
 
     /// All waves at t = 0.

@@ -13,17 +13,10 @@ namespace signorini {
 
 namespace {
 
-using Complex = std::complex<double>;
-
 constexpr std::size_t mostLanes = 600;
 constexpr std::int64_t mostLaneSteps = 20'000'000;
 constexpr int mostEvents = 200;  // in a lane of a step
 constexpr double sameDistance = 1e-14;
-
-double sizeOfWave(const SteadyHarmonic& wave)
-{
-    return std::abs(wave.steady) + lengthOf(wave.swing);
-}
 
 }  // namespace
 
@@ -37,7 +30,8 @@ HarmonicNetworkMarch::HarmonicNetworkMarch(const HarmonicNetwork& given, double 
       drive_(given.amplitude * turned(-phase)),
       distances_(std::move(distances)),
       lasting_(given.network.contacts.size(), 0),
-      closed_(closed)
+      closed_(closed),
+      laws_(given.network)
 {
     setLaw();
     for (const HarmonicLane& lane : lanes) {
@@ -106,18 +100,12 @@ std::vector<HarmonicLane> HarmonicNetworkMarch::lanes() const
 
 void HarmonicNetworkMarch::setLaw()
 {
-    law_ = &laws_.try_emplace(closed_, given_.network, closed_).first->second;
-}
-
-Complex HarmonicNetworkMarch::weightOf(double from, double to) const
-{
-    return (turned(given_.omega() * to) - turned(given_.omega() * from)) /
-           Complex(0.0, given_.omega());
+    law_ = &laws_.of(closed_);
 }
 
 void HarmonicNetworkMarch::add(double from, double to, NetworkWaves<SteadyHarmonic> waves)
 {
-    lanes_.push_back({from, to, weightOf(from, to), std::move(waves)});
+    lanes_.push_back({from, to, given_.weight(from, to), std::move(waves)});
 }
 
 /// A lane of a step, cut at its first event; what is cut off is a lane of its own.
@@ -134,9 +122,9 @@ bool HarmonicNetworkMarch::stepLane(std::size_t k)
         if (event.at > lanes_[k].from) {
             Lane later = lanes_[k];
             later.from = event.at;
-            later.weight = weightOf(event.at, later.to);
+            later.weight = given_.weight(event.at, later.to);
             lanes_[k].to = event.at;
-            lanes_[k].weight = weightOf(lanes_[k].from, event.at);
+            lanes_[k].weight = given_.weight(lanes_[k].from, event.at);
             lanes_.insert(lanes_.begin() + static_cast<std::ptrdiff_t>(k) + 1, std::move(later));
             break;
         }
@@ -194,13 +182,13 @@ double HarmonicNetworkMarch::release(const SteadyHarmonic& push, const Lane& lan
 double HarmonicNetworkMarch::closure(const SteadyHarmonic& rate, const Lane& lane,
                                      double distance) const
 {
-    if (distance > sizeOfWave(rate) * (lane.to - lane.from)) {
+    if (distance > rate.largest() * (lane.to - lane.from)) {
         return lane.to;
     }
     // As `Lane::integral` has it, so that a lane cut there ends at a distance that is not above 0.
     const auto distanceAt = [&](double s) {
         return distance +
-               (rate.steady * (s - lane.from) + (rate.swing * weightOf(lane.from, s)).real());
+               (rate.steady * (s - lane.from) + (rate.swing * given_.weight(lane.from, s)).real());
     };
     const auto isBeyond = [&](double s) { return distanceAt(s) <= 0.0; };
     double from = lane.from;
@@ -209,7 +197,7 @@ double HarmonicNetworkMarch::closure(const SteadyHarmonic& rate, const Lane& lan
             double low = from;
             double high = to;
             if (isBeyond(low)) {
-                if (distanceAt(to) >= -sameDistance * sizeOfWave(rate)) {
+                if (distanceAt(to) >= -sameDistance * rate.largest()) {
                     from = to;
                     continue;
                 }
@@ -250,7 +238,7 @@ std::vector<double> HarmonicNetworkMarch::turns(const SteadyHarmonic& z, const L
 
 double HarmonicNetworkMarch::value(const SteadyHarmonic& z, double s) const
 {
-    return z.steady + (z.swing * turned(given_.omega() * s)).real();
+    return z.at(turned(given_.omega() * s));
 }
 
 /// A contact opens or closes as a lane begins.
@@ -261,9 +249,8 @@ void HarmonicNetworkMarch::change(const Event& event, const Lane& lane)
     if (contains(closed_, j)) {
         // A push that fades is 0 here; what a front has left of it is not.
         const SteadyHarmonic push = law_->push(j).at(lane.waves.arriving(), force_, base_);
-        const double size = sizeOfWave(push);
         contacts_[lasting_[j]].end = time;
-        contacts_[lasting_[j]].isPinned = value(push, lane.from) < -1e-9 * size;
+        contacts_[lasting_[j]].isPinned = value(push, lane.from) < -1e-9 * push.largest();
     } else {
         lasting_[j] = contacts_.size();
         contacts_.push_back(
@@ -279,7 +266,7 @@ void HarmonicNetworkMarch::merge()
 {
     std::vector<HarmonicLane> all = lanes();
     const double least = mergeBelow_ * largestOf(all, [](const auto& one) {
-                             return largestOf(one.waves, sizeOfWave);
+                             return largestOf(one.waves, &SteadyHarmonic::largest);
                          });
     std::vector<HarmonicLane> kept;
     kept.reserve(all.size());
@@ -288,7 +275,7 @@ void HarmonicNetworkMarch::merge()
             HarmonicLane& last = kept.back();
             double apart = 0.0;
             for (std::size_t i = 0; i < next.waves.size(); ++i) {
-                apart = std::max(apart, sizeOfWave(next.waves[i] - last.waves[i]));
+                apart = std::max(apart, (next.waves[i] - last.waves[i]).largest());
             }
             const double length = std::min(last.to - last.from, next.to - next.from);
             if (apart * length <= least) {

@@ -7,7 +7,6 @@
 /// written down, and a distance is 0 at a root that bisection finds between two instants at which
 /// its rate is 0. An event cuts its lane in two.
 
-#include <map>
 #include <vector>
 
 #include "harmonic_network.hpp"
@@ -56,7 +55,6 @@ private:
 
     void setLaw();
     void add(double from, double to, NetworkWaves<SteadyHarmonic> waves);
-    [[nodiscard]] std::complex<double> weightOf(double from, double to) const;
     bool stepLane(std::size_t k);
     [[nodiscard]] SteadyHarmonic rateOf(std::size_t contact, const Lane& lane) const;
     [[nodiscard]] Event firstEvent(const Lane& lane) const;
@@ -80,7 +78,7 @@ private:
     std::int64_t laneSteps_ = 0;
     SteadyHarmonic force_;
     SteadyHarmonic base_;
-    std::map<ContactSet, NetworkLaw<SteadyHarmonic>> laws_;
+    NetworkLaws<SteadyHarmonic> laws_;
     const NetworkLaw<SteadyHarmonic>* law_ = nullptr;  ///< of `closed_`
     std::vector<NetworkHarmonicContact> contacts_;
 };

@@ -3,7 +3,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <numeric>
 
@@ -44,7 +43,7 @@ struct CutContact {
 class NetworkPattern {
 public:
     NetworkPattern(const HarmonicNetwork& given, const NetworkHarmonicMotion& start)
-        : given_(given), excitation_(given.amplitude * turned(-start.phase))
+        : given_(given), excitation_(given.amplitude * turned(-start.phase)), laws_(given.network)
     {
         places_.push_back(0.0);
         for (const NetworkHarmonicContact& one : start.contacts) {
@@ -216,11 +215,6 @@ private:
         return closed;
     }
 
-    [[nodiscard]] const NetworkLaw<Complex>& lawOf(ContactSet closed)
-    {
-        return laws_.try_emplace(closed, given_.network, closed).first->second;
-    }
-
     /// Waves for A = 1 that come back.
     [[nodiscard]] std::optional<std::vector<Complex>> fixedWaves(
         const std::vector<ContactSet>& closed)
@@ -233,7 +227,7 @@ private:
             NetworkWaves<Complex> waves(given_.network, now);
             for (std::int64_t m = 0; m < given_.steps; ++m) {
                 const auto [force, base] = given_.drive(given_.turn(m));
-                waves.step(lawOf(closed[static_cast<std::size_t>(m)]), force, base);
+                waves.step(laws_.of(closed[static_cast<std::size_t>(m)]), force, base);
             }
             std::vector<Complex> next = waves.waves();
             double change = 0.0;
@@ -271,7 +265,7 @@ private:
         for (std::int64_t m = 0; m <= given_.steps; ++m) {
             const auto [force, base] = given_.drive(given_.turn(m));
             const ContactSet held = closed[static_cast<std::size_t>(m % given_.steps)];
-            const NetworkLaw<Complex>& law = lawOf(held);
+            const NetworkLaw<Complex>& law = laws_.of(held);
             for (std::size_t k = 0; k < contacts_.size(); ++k) {
                 const CutContact& one = contacts_[k];
                 if (stepAfter(one.begin, lane) == m) {
@@ -298,10 +292,9 @@ private:
     /// The distance at a beginning is the gap and A times this.
     [[nodiscard]] Complex wayTo(std::size_t k) const
     {
-        const Complex slope(0.0, given_.omega());
         Complex way = 0.0;
         for (std::size_t lane = 0; lane < order_.size(); ++lane) {
-            way += ways_[lane][k] * (at(to(lane)) - at(from(lane))) / slope;
+            way += ways_[lane][k] * given_.weight(from(lane), to(lane));
         }
         if (given_.place != Excited::tip) {
             std::vector<double> by(given_.network.waves(), 0.0);
@@ -320,7 +313,7 @@ private:
     std::vector<CutContact> contacts_;
     std::vector<std::size_t> order_;  ///< lanes begin at these places
     std::vector<std::size_t> rank_;   ///< the lane that begins at a place
-    std::map<ContactSet, NetworkLaw<Complex>> laws_;
+    NetworkLaws<Complex> laws_;
     std::vector<std::vector<Complex>> waves_;  ///< by lane, for A = 1
     std::vector<std::vector<Complex>> ways_;   ///< G, by lane and contact
     std::vector<Complex> pushes_;              ///< P
@@ -335,19 +328,10 @@ private:
     for (const NetworkHarmonicContact& one : motion.contacts) {
         closed |= one.end > period + sameEvent ? ContactSet{1} << one.contact : 0;
     }
-    std::vector<double> distances;
-    NetworkHarmonicMotion walked = motion;
-    measure(given, walked, {.state = [&](std::int64_t step, const NetworkStart& now) {
-                if (step == 0) {
-                    for (const NetworkContact& contact : given.network.contacts) {
-                        distances.push_back(contact.gap + openingOf(contact, [&](std::size_t node) {
-                                                return now.displacements[node];
-                                            }));
-                    }
-                }
-            }});
+    std::vector<double> distances = startDistances(given, motion);
     distances[motion.first().contact] = 0.0;
-    HarmonicNetworkMarch march(given, motion.phase, motion.lanes, distances, closed, 0.0);
+    HarmonicNetworkMarch march(given, motion.phase, motion.lanes, std::move(distances), closed,
+                               0.0);
     if (!march.advance(given.steps)) {
         return {};
     }

@@ -10,7 +10,6 @@
 /// at t = 0 it is not. docs/theory.md, sections 19 and 20.
 
 #include <Eigen/Core>
-#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -54,22 +53,6 @@ struct NetworkKernel {
     {
         return static_cast<Eigen::Index>(shapes.size()) + (hasForces ? 1 : 0);
     }
-};
-
-/// The laws of a schedule, each made once.
-template <typename Number>
-class NetworkLaws {
-public:
-    explicit NetworkLaws(const Network& network) : network_(network) {}
-
-    const NetworkLaw<Number>& of(ContactSet closed)
-    {
-        return laws_.try_emplace(closed, network_, closed).first->second;
-    }
-
-private:
-    const Network& network_;
-    std::map<ContactSet, NetworkLaw<Number>> laws_;
 };
 
 /// Pivots up to `zero` are taken for 0. `shapes`: as long as the schedule; residues are then

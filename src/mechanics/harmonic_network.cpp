@@ -12,6 +12,11 @@
 
 namespace signorini {
 
+double SteadyHarmonic::largest() const
+{
+    return std::abs(steady) + lengthOf(swing);
+}
+
 double HarmonicNetwork::omega() const
 {
     return 2.0 * std::numbers::pi * static_cast<double>(cycles) / static_cast<double>(steps);
@@ -20,6 +25,11 @@ double HarmonicNetwork::omega() const
 std::complex<double> HarmonicNetwork::turn(std::int64_t m) const
 {
     return turnOf((cycles % steps) * (m % steps), steps);
+}
+
+std::complex<double> HarmonicNetwork::weight(double from, double to) const
+{
+    return (turned(omega() * to) - turned(omega() * from)) / std::complex<double>(0.0, omega());
 }
 
 HarmonicNetwork::Drive HarmonicNetwork::drive(std::complex<double> excitation) const

@@ -36,6 +36,14 @@ struct SteadyHarmonic {
     {
     }
 
+    /// Its value where e^{i omega s} is this.
+    [[nodiscard]] double at(std::complex<double> turn) const
+    {
+        return steady + (swing * turn).real();
+    }
+    /// What no value exceeds in size.
+    [[nodiscard]] double largest() const;
+
     friend SteadyHarmonic operator+(const SteadyHarmonic& x, const SteadyHarmonic& y)
     {
         return SteadyHarmonic(x.steady + y.steady, x.swing + y.swing);
@@ -72,6 +80,8 @@ struct HarmonicNetwork {
     [[nodiscard]] double omega() const;
     /// e^{i omega m}.
     [[nodiscard]] std::complex<double> turn(std::int64_t m) const;
+    /// The integral of e^{i omega s} from one time to another.
+    [[nodiscard]] std::complex<double> weight(double from, double to) const;
 
     struct Drive {
         std::complex<double> force = 0.0;  ///< on the driven nodes

@@ -23,6 +23,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <type_traits>
@@ -317,6 +318,22 @@ private:
     std::vector<std::size_t> clusterOf_;
     std::vector<Scatterer> clusters_;
     std::vector<LinearForm<Number>> pushes_;  ///< by contact; empty where open
+};
+
+/// The laws of a network, each made once. \pre the network outlives them.
+template <typename Number>
+class NetworkLaws {
+public:
+    explicit NetworkLaws(const Network& network) : network_(network) {}
+
+    const NetworkLaw<Number>& of(ContactSet closed)
+    {
+        return laws_.try_emplace(closed, network_, closed).first->second;
+    }
+
+private:
+    const Network& network_;
+    std::map<ContactSet, NetworkLaw<Number>> laws_;
 };
 
 /// A state of a network that goes on step by step: two rings for each row. \pre the laws that it is
