@@ -106,6 +106,12 @@ void removeOnSignal(const std::string& path)
     }
 }
 
+double parseRatio(std::string_view name, std::string_view text, std::string_view unit)
+{
+    return text.find('/') == std::string_view::npos ? parsePositive(name, text, unit)
+                                                    : parseFraction(name, text, unit).value();
+}
+
 std::int64_t parseWhole(std::string_view name, std::string_view text, std::int64_t low,
                         std::int64_t high)
 {

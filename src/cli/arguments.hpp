@@ -59,6 +59,10 @@ using answers::parseFraction;
 using answers::parseNumber;
 using answers::parsePositive;
 
+/// A number > 0, or a fraction as 8/7. \throws std::invalid_argument as above.
+[[nodiscard]] double parseRatio(std::string_view name, std::string_view text,
+                                std::string_view unit);
+
 /// A whole number in [low, high]. \throws std::invalid_argument naming argument, value and range.
 [[nodiscard]] std::int64_t parseWhole(std::string_view name, std::string_view text,
                                       std::int64_t low, std::int64_t high);

@@ -30,13 +30,6 @@ using answers::AtlasUnits;
 /// Finer than the periods of a grid up to N = 280, so that one of its frequencies is meant.
 constexpr double usualDistance = 0.001;
 
-/// "8/7" or any number.
-double parseRatio(const char* name, const std::string& text, const char* unit)
-{
-    return text.find('/') == std::string::npos ? parsePositive(name, text, unit)
-                                               : parseFraction(name, text, unit).value();
-}
-
 /// What was asked, as options, to be kept for people.
 std::string optionsOf(const AtlasRange& range)
 {

@@ -2,7 +2,6 @@
 
 #include <array>
 
-#include "asked_period.hpp"
 #include "excited_names.hpp"
 #include "given.hpp"
 #include "parts.hpp"
@@ -65,8 +64,7 @@ FrequencyOption::FrequencyOption(const Given& given, const char* name, const cha
     if (text.ends_with("Hz")) {
         hertz = parsePositive(name, text, "Hz");
     } else if (!text.empty()) {
-        ratio = text.find('/') == std::string::npos ? parsePositive(name, text, "omega_1")
-                                                    : parseFraction(name, text, "omega_1").value();
+        ratio = parseRatio(name, text, "omega_1");
     }
 }
 
