@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import pickle
 import random
 from pathlib import Path
 from typing import Any
@@ -404,29 +403,6 @@ def test_motions_of_bars_come_back_and_are_drawn(tmp_path: Path) -> None:
 
 
 BARS = "clamp 30 dash=0.1 driven gap=1e-3 20:1.3 dash=0.2 20:1.3 clamp"
-
-
-def test_a_scene_of_words_is_a_scene() -> None:
-    """It answers as its words do, whose scales it has, and is refused as they are."""
-    words = "clamp 4 gap=2e-3 4 clamp"
-    scene = sg.Scene(words, bar=sg.Bar(length=2.0))
-    asked: Any = {"strain_limit": 1e-3}
-    assert sg.find(3, 11, scene=scene, **asked) == sg.find(3, 11, scene=words, length=2.0, **asked)
-    assert sg.force_range(sg.Scene("clamp 7 driven stop=1 3"), 0, 1, time=2.0) == \
-        sg.force_range("clamp 7 driven stop=1 3", 0, 1, time=2.0)
-    assert pickle.loads(pickle.dumps(scene)) == scene != sg.Scene(words)
-    assert scene.words == words and words in repr(scene) and sg.Scene().words is None
-    assert list(scene.to_dict()) == ["words", "bar"] and sg.plot.scene(scene).lines
-    for wrong in ("clamp 4 gap=2e-3 4 clmp", ""):
-        with pytest.raises(ValueError) as of_words:
-            sg.find(3, 11, scene=wrong)
-        with pytest.raises(ValueError) as of_scene:
-            sg.Scene(wrong)
-        assert str(of_words.value) == str(of_scene.value)
-    with pytest.raises(ValueError, match="scene clashes with bar"):
-        sg.find(3, 11, scene=scene, length=2.0, **asked)
-    with pytest.raises(TypeError, match="allowed"):
-        sg.Motion(sg.State([1.0], [1.0]), sg.Schedule(1, 6, cells=1), scene)
 
 
 def test_bars_that_meet_under_an_exact_harmonic() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import pickle
 from typing import Any, Callable, get_args
 
 import pytest
@@ -262,3 +263,26 @@ def test_what_the_words_of_a_scene_say_is_not_said_twice(ask: Callable[[], objec
                                                          told: str) -> None:
     with pytest.raises(ValueError, match=f"^{told}"):
         ask()
+
+
+def test_a_scene_of_words_is_a_scene() -> None:
+    """It answers as its words do, whose scales it has, and is refused as they are."""
+    words = "clamp 4 gap=2e-3 4 clamp"
+    scene = sg.Scene(words, bar=sg.Bar(length=2.0))
+    asked: Any = {"strain_limit": 1e-3}
+    assert sg.find(3, 11, scene=scene, **asked) == sg.find(3, 11, scene=words, length=2.0, **asked)
+    assert sg.force_range(sg.Scene("clamp 7 driven stop=1 3"), 0, 1, time=2.0) == \
+        sg.force_range("clamp 7 driven stop=1 3", 0, 1, time=2.0)
+    assert pickle.loads(pickle.dumps(scene)) == scene != sg.Scene(words)
+    assert scene.words == words and words in repr(scene) and sg.Scene().words is None
+    assert list(scene.to_dict()) == ["words", "bar"] and sg.plot.scene(scene).lines
+    for wrong in ("clamp 4 gap=2e-3 4 clmp", ""):
+        with pytest.raises(ValueError) as of_words:
+            sg.find(3, 11, scene=wrong)
+        with pytest.raises(ValueError) as of_scene:
+            sg.Scene(wrong)
+        assert str(of_words.value) == str(of_scene.value)
+    with pytest.raises(ValueError, match="scene clashes with bar"):
+        sg.find(3, 11, scene=scene, length=2.0, **asked)
+    with pytest.raises(TypeError, match="allowed"):
+        sg.Motion(sg.State([1.0], [1.0]), sg.Schedule(1, 6, cells=1), scene)

@@ -46,12 +46,11 @@ HarmonicAnswer answerOf(const ExactPeriod& period, const Damping& damping, Excit
     return answer;
 }
 
-std::string settledDetail(std::string_view who, std::string_view touches, std::int64_t contacts,
-                          std::int64_t cycles)
+std::string settledDetail(std::string_view who, std::int64_t contacts, std::int64_t cycles)
 {
     return contacts > 0 ? fmt::format("{} on {} contact{} in {} cycle{}", who, contacts,
                                       contacts == 1 ? "" : "s", cycles, cycles == 1 ? "" : "s")
-                        : fmt::format("{} on no motion that {}", who, touches);
+                        : fmt::format("{} on no contacts that repeat, as far as followed", who);
 }
 
 std::optional<std::string> HarmonicLimit::detail() const
@@ -91,8 +90,7 @@ std::optional<std::string> HarmonicAnswer::detail() const
         return limit.detail();
     }
     if (contacts > 1) {
-        return settledDetail("a bar at rest settles", "touches a stop", settledContacts,
-                             settledCycles);
+        return settledDetail("a bar at rest settles", settledContacts, settledCycles);
     }
     const double flight = all.flight.value_or(given().step) * scales(bar).time;
     return fmt::format(

@@ -43,9 +43,9 @@ template <typename Answer>
     return answer;
 }
 
-/// What somebody at rest settles on, where it is not what was asked for; 0: nothing.
-[[nodiscard]] std::string settledDetail(std::string_view who, std::string_view touches,
-                                        std::int64_t contacts, std::int64_t cycles);
+/// What somebody at rest settles on, where it is not what was asked for; 0: nothing that was seen.
+[[nodiscard]] std::string settledDetail(std::string_view who, std::int64_t contacts,
+                                        std::int64_t cycles);
 
 /// One motion, and what gives it units.
 struct HarmonicMotionOf {

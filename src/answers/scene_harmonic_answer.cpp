@@ -162,8 +162,7 @@ std::optional<std::string> SceneHarmonicAnswer::detail() const
     }
     const auto beyond = limit.detail();
     if (!beyond && contacts > 1) {
-        return settledDetail("bars at rest settle", "closes a contact", settledContacts,
-                             settledCycles);
+        return settledDetail("bars at rest settle", settledContacts, settledCycles);
     }
     return beyond ? beyond : "no motion with one contact in a period: computed, not proved";
 }

@@ -40,8 +40,11 @@ void fill(answers::FamilyList& list, const FamilyBounds& bounds, const Stops& st
     if (!isWhole && list.ended.empty()) {
         // Who interrupts it does not wait until millions are printed.
         constexpr std::size_t shown = 10'000;
-        list.ended = "interrupted";
-        list.families.resize(std::min(list.families.size(), shown));
+        const std::size_t found = list.families.size();
+        list.ended = found > shown
+                         ? fmt::format("interrupted, the first {} of {} found", shown, found)
+                         : "interrupted";
+        list.families.resize(std::min(found, shown));
     }
 }
 

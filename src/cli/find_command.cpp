@@ -181,9 +181,11 @@ std::int64_t FindCommand::stepsOn(const Assembly& assembly, std::int64_t ofCycle
 
 ExitStatus FindCommand::findInBars() const
 {
-    refuseIf(given.has("--contacts") && !(hasPeriod() && isForced()),
-             "--contacts: allowed with --period, --frequency or --hertz, and --force; elsewhere "
-             "motions are sought by their schedules, which say how many");
+    refuseIf(
+        given.has("--contacts") && !(hasPeriod() && isForced()), "--contacts",
+        given.text("--contacts"),
+        "only with --period, --frequency or --hertz, and --force; elsewhere motions are sought "
+        "by their schedules, which say how many");
     return !hasPeriod() ? findInScene(*this)
            : isForced() ? findHarmonicInBars(*this, common.assembly())
                         : findPeriodInBars(*this, common.assembly());
