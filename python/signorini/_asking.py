@@ -9,7 +9,7 @@ from typing import Any, Callable, TypeVar
 from . import _core
 from ._core import Scene, SceneContinuumPoint
 from ._progress import listener
-from ._words import (amplitude_of, arguments, cells_of, number, path, scene_of, schedule_of,
+from ._words import (arguments, cells_of, number, path, scene_of, schedule_of,
                      spans_of, state_of)
 
 Function = TypeVar("Function", bound=Callable[..., Any])
@@ -117,13 +117,6 @@ def asks(question: str) -> Callable[[Function], Function]:
     return asking
 
 
-def excited(asked: dict[str, Any]) -> dict[str, Any]:
-    """The same where it has an amplitude. ValueError."""
-    if asked["amplitude"] is None:
-        raise ValueError("amplitude is missing: allowed numbers > 0 [N or m]")
-    return asked
-
-
 def scheduled(asked: dict[str, Any]) -> dict[str, Any]:
     """The same with one schedule of its steps."""
     asked["schedule"] = schedule_of(asked["schedule"], asked["cells"])
@@ -145,8 +138,7 @@ def gathered(asked: dict[str, Any], *states: str, segments_are_bars: bool = Fals
     """What the compiled part is asked, of the arguments of a call.
 
     Of a scene's parts one scene, of a bar under gravity the words of a scene, and of one of
-    segments where these are asked about as bars are; of the names of files states, of
-    several amplitudes that which is given.
+    segments where these are asked about as bars are; of the names of files states.
     """
     get = asked.get
     where, segments = get("scene"), get("segments")
@@ -176,11 +168,6 @@ def gathered(asked: dict[str, Any], *states: str, segments_are_bars: bool = Fals
                            else state_of(asked[name], scene.bar, asked["cells"]))
     if get("progress") is not None:
         asked["progress"] = listener(asked["progress"])
-    asked["derivative"] = 0
-    if get("amplitude_velocity") is not None or get("amplitude_acceleration") is not None:
-        asked["amplitude"], asked["derivative"] = amplitude_of(
-            asked["force"], asked["amplitude"], asked["amplitude_velocity"],
-            asked["amplitude_acceleration"])
     if get("file") is not None:
         asked["file"] = path("file", asked["file"])
     return asked

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, overload
 
 from . import _core
-from ._asking import as_bars, asks, excited, gathered, scheduled
+from ._asking import as_bars, asks, gathered, scheduled
 from ._core import (Bar, Continuum, ForcedResult, HarmonicResult, Result,
                     Scene, SceneContinuum, SceneContinuumPoint, SceneForcedResult,
                     SceneHarmonicResult, SceneQuestion, SceneResult, State)
@@ -151,13 +151,14 @@ def find(
             raise ValueError("period, frequency, hertz: allowed with damping "
                              "and force only without a schedule")
         if is_timed and where.segments:
-            return find_bars(as_bars(excited(asked)), times, find.__kwdefaults__)
+            return find_bars(as_bars(asked), times, find.__kwdefaults__)
         refuse(asked, find.__kwdefaults__, (*OF_FREE, "tip_floor", "formulation"), "without force")
         if not is_timed:
             refuse(asked, find.__kwdefaults__, ("contacts",), "of a period")
             return _core.find_forced(scheduled(asked))
         return find_harmonic(asked, times)
-    if asked["amplitude"] is not None or (
+    has_none = amplitude is amplitude_velocity is amplitude_acceleration is None
+    if not has_none or (
             (type(cycles) is not int or cycles != 1) and whole("cycles", cycles) != 1):
         raise ValueError("amplitude, cycles: allowed only together with "
                          "damping and force")

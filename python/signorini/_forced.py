@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any, overload
 
 from . import _core
-from ._asking import as_bars, asks, excited, gathered
+from ._asking import as_bars, asks, gathered
 from ._core import (Bar, Damping, ExactResponse, ForcedFrequency, ForcedMotion, ForceRange, Scene,
                     SceneResponse, SceneSimulation, Simulation, State, Sweep, Waves)
 from ._progress import Progress
@@ -106,15 +106,11 @@ def response(*, damping: Quantity | None = None, force: Force, amplitude: Quanti
     Response, or of several bars SceneResponse
         The first is a Table of ForcedFrequency.
     """
-    asked = _of_bars(excited(gathered(locals())))
+    asked = _of_bars(gathered(locals()))
     if contacts not in (1, 2):
         raise ValueError(f"contacts = {contacts} is out of range: allowed 1, 2")
-    if band is not None and contacts == 1:
-        raise ValueError("band: allowed only together with contacts=2")
     if "words" in asked:
         return _core.response_bars({**asked, "exact": False})
-    if damping is None:
-        raise ValueError("damping is missing: allowed numbers > 0 [-]")
     data = _core.response(asked)
     head = {name: value for name, value, _ in keys_of(data)
             if name != "frequencies"}
@@ -168,14 +164,11 @@ def exact_response(*, damping: Quantity | None = None, force: Force,
     ExactResponse, or of several bars or segments SceneResponse
         Without curves, and one contact in a period.
     """
-    asked = _of_bars(excited(gathered(locals())))
+    asked = _of_bars(gathered(locals()))
     if "words" not in asked and len(asked["scene"].segments) > 1:
         as_bars(asked)
     if "words" in asked:
         return _core.response_bars({**asked, "exact": True, "stability": False})
-    if asked["derivative"] > 0:
-        raise ValueError("amplitude_velocity, amplitude_acceleration: allowed only of several "
-                         "bars or segments")
     return _core.exact_response(asked)
 
 
@@ -246,7 +239,8 @@ def simulate(start: State | Waves | str | None = None, *,
     if asked["scene"].segments:
         raise ValueError("segments: allowed only where stepped bars are known: find")
     is_driven = force is not None
-    if is_driven != (asked["amplitude"] is not None) or is_driven != (frequency is not None):
+    has_none = amplitude is amplitude_velocity is amplitude_acceleration is None
+    if is_driven == has_none or is_driven != (frequency is not None):
         raise ValueError("force, amplitude, frequency: allowed only all three together")
     if (time is None) == (periods is None) or (periods is not None and not is_driven):
         raise ValueError("time, periods: allowed one of them, and periods only together "
@@ -287,10 +281,10 @@ def sweep(over: Over = "frequency", start: Quantity = 0.5, to: Quantity = 2.0, *
     Sweep
     """
     asked = gathered(locals())
-    if over != "amplitude":
-        excited(asked)
     if "words" in asked and asked["cells"] is not None:
         raise ValueError("cells: allowed only without a scene of words")
+    if str(over) in ("frequency", "damping"):
+        asked[over] = None  # what it is without is not said
     question = {name: value for name, value in asked.items()
                 if name not in ("file", "threads", "progress", "scene", "bar",
                                 "bar_options", "second_stop", "segments")}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Sequence
 
 from . import _core
-from ._asking import as_bars, excited
+from ._asking import as_bars
 from ._core import (Bar, HarmonicResult, Result, SceneContinuum, SceneForcedResult,
                     SceneHarmonicResult, SceneQuestion, SceneResult)
 from ._tables import Table, plain
@@ -62,14 +62,12 @@ def _word(name: str, given: Any) -> str:
 
 def find_harmonic(asked: dict[str, Any], times: dict[str, Any]) -> HarmonicResult:
     """Motions on no grid under an exact harmonic, whose frequency is meant, if one is."""
-    name, word = _one_of(times)
-    told = {"option": name, "word": _word(name, word)}
-    return _core.find_harmonic(excited({**asked, **told}))
+    return _core.find_harmonic(_timed(times, asked))
 
 
 #: What is asked of motions without a force, and with one.
 OF_FREE = ("energy", "energy_ratio", "target", "time_limit", "objective", "solver", "tolerance")
-_OF_FORCED = ("amplitude", "cycles")
+_OF_FORCED = ("amplitude", "amplitude_velocity", "amplitude_acceleration", "cycles")
 
 
 def refuse(asked: dict[str, Any], usual: dict[str, Any], names: tuple[str, ...],
@@ -112,17 +110,16 @@ def find_bars(asked: dict[str, Any], times: dict[str, Any], usual: dict[str, Any
         refuse(asked, usual, _OF_FORCED, "together with force")
         return ask_bars(times, asked)
     refuse(asked, usual, OF_FREE, "of a schedule, or without force")
-    if schedule or asked["amplitude"] is None:
+    if schedule:
         raise ValueError("period, frequency, hertz: of a forced scene of words allowed without a "
-                         "schedule, with amplitude")
+                         "schedule")
     return _core.find_harmonic_bars(_timed(times, asked))
 
 
 def _timed(times: dict[str, Any], asked: dict[str, Any]) -> dict[str, Any]:
-    """The same with the number that was asked for."""
+    """The same with what was asked for as text."""
     name, word = _one_of(times)
-    value = word if name == "hertz" else float(fraction_of(word, name))
-    return {**asked, "period": None, "frequency": None, "hertz": None, name: value}
+    return {**asked, name: _word(name, word)}
 
 
 def ask_bars(times: dict[str, Any], asked: dict[str, Any]) -> SceneQuestion:
@@ -135,8 +132,8 @@ def ask_bars(times: dict[str, Any], asked: dict[str, Any]) -> SceneQuestion:
 
 def ask(times: dict[str, Any], asked: dict[str, Any]) -> Question:
     """Answer a question by `find` for each set of motions of a period."""
-    name, word = _one_of(times)
+    _, word = _one_of(times)
     head = _core.find_period(
-        {**asked, "option": name, "word": _word(name, word), "said": str(word)})
+        {**_timed(times, asked), "said": str(word)})
     motions = head.pop("motions")
     return Question("motions", motions, **{**plain(head), "bar": head["bar"]})

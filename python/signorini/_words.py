@@ -209,29 +209,6 @@ def state_of(state: Any, bar: Bar, cells: int | None) -> Any:
     return state
 
 
-def amplitude_of(force: str | None, amplitude: Quantity | None,
-                 velocity: Quantity | None, acceleration: Quantity | None
-                 ) -> tuple[Quantity | None, int]:
-    """The amplitude that is given, and of which derivative of the base."""
-    given = {"amplitude": amplitude, "amplitude_velocity": velocity,
-             "amplitude_acceleration": acceleration}
-    said = [name for name, value in given.items() if value is not None]
-    if len(said) > 1:
-        raise ValueError(f"{' and '.join(said)} clash: allowed one of them")
-    name, = said
-    derivative = list(given).index(name)
-    value = given[name]
-    if derivative and force != "base":
-        raise ValueError(f"{name} = {value} is out of range: allowed only "
-                         'with force="base"')
-    if isinstance(value, str):
-        value = number(name, value)
-    if derivative and not (isinstance(value, (int, float)) and 0 < value < float("inf")):
-        raise ValueError(f"{name} = {value} is out of range: allowed numbers > 0 "
-                         f"[{'m/s' if derivative == 1 else 'm/s^2'}]")
-    return value, derivative
-
-
 def fraction_of(value: Number, name: str) -> Fraction:
     """An exact number > 0. ValueError for anything else."""
     try:

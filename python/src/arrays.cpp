@@ -45,7 +45,7 @@ Numbers numbersOf(const py::object& given, const char* name)
 
 std::vector<const Option*> optionsNamed(const std::string& argument)
 {
-    std::string option = "--" + argument;
+    std::string option = argument.starts_with("--") ? argument : "--" + argument;
     std::replace(option.begin(), option.end(), '_', '-');
     std::vector<const Option*> rows;
     for (const Option& known : options()) {

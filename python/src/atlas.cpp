@@ -144,10 +144,10 @@ AtlasRun build(const Asked& asked)
             ? atlasRangeOf(asked.assembly())
             : atlasRangeOf(asked.scene(),
                            asked.maybe<std::int64_t>("cells").value_or(Schedule().cells));
-    asked.read("max_contact", range.maxContact);
-    asked.read("max_free", range.maxFree);
+    asked.read("--max-contact", range.maxContact);
+    asked.read("--max-free", range.maxFree);
     range.maxPhases = asked.get<std::int64_t>("phases");
-    asked.read("max_energy_ratio", range.maxEnergyRatio);
+    asked.read("--max-energy-ratio", range.maxEnergyRatio);
     range.keepsRefuted = asked.get<bool>("all");
     range.familiesOnly = asked.get<bool>("families_only");
     validate(range);

@@ -5,28 +5,37 @@
 #include <chrono>
 #include <cmath>
 #include <future>
+#include <map>
 #include <mutex>
 #include <thread>
-#include <unordered_map>
 #include <utility>
 
 #include "excited_amplitude.hpp"
 #include "scene_harmonic_answer.hpp"
 #include "share_work.hpp"
+#include "units.hpp"
 
 namespace signorini::python {
 
-PyObject* Asked::keyOf(const char* name)
+std::string nameOf(std::string_view option)
 {
-    static std::unordered_map<const char*, PyObject*> keys;
-    PyObject*& key = keys[name];
-    if (key == nullptr) {
-        key = PyUnicode_InternFromString(name);
-    }
-    return key;
+    std::string name(option == "--from" ? "start" : option);
+    name.erase(0, name.starts_with("--") ? 2 : 0);
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
 }
 
-void Asked::refuseKind(const char* name, const char* kind) const
+PyObject* Asked::keyOf(std::string_view name)
+{
+    static std::map<std::string, PyObject*, std::less<>> keys;
+    auto known = keys.find(name);
+    if (known == keys.end()) {
+        known = keys.emplace(name, PyUnicode_InternFromString(nameOf(name).c_str())).first;
+    }
+    return known->second;
+}
+
+void Asked::refuseKind(std::string_view name, const char* kind) const
 {
     if (std::string_view(kind).starts_with("int") && PyIndex_Check(object(name).ptr()) != 0) {
         throwFault(name, shortened(py::cast<std::string>(py::repr(object(name)))),
@@ -34,18 +43,15 @@ void Asked::refuseKind(const char* name, const char* kind) const
     }
     const py::object shown = py::module_::import("reprlib").attr("repr")(object(name));
     throw py::type_error(
-        fmt::format("{} = {}: allowed {}", name, py::cast<std::string>(shown), kind));
+        fmt::format("{} = {}: allowed {}", nameOf(name), py::cast<std::string>(shown), kind));
 }
 
-void Asked::requireFits(const char* name, double value) const
+void Asked::requireFits(std::string_view name, double value) const
 {
-    if (std::string_view(name) == "amplitude" && !(std::isfinite(value) && value > 0.0)) {
-        throwFault(name, value, fmt::format("finite numbers > 0 [{}]", unitOf(name)));
-    }
-    static std::unordered_map<const char*, std::vector<const Option*>> known;
-    const auto [rows, isNew] = known.try_emplace(name);
-    if (isNew) {
-        rows->second = optionsNamed(name);
+    static std::map<std::string, std::vector<const Option*>, std::less<>> known;
+    auto rows = known.find(name);
+    if (rows == known.end()) {
+        rows = known.emplace(name, optionsNamed(std::string(name))).first;
         std::erase_if(rows->second, [](const Option* row) {
             return row->takes != Takes::whole && row->takes != Takes::positive &&
                    row->takes != Takes::range && row->takes != Takes::real;
@@ -57,27 +63,30 @@ void Asked::requireFits(const char* name, double value) const
     }
 }
 
-double Asked::frequency(const char* name, const Bar& bar) const
+bool Asked::has(std::string_view name) const
 {
     const py::object held = object(name);
-    const bool isHertz =
-        py::isinstance<py::str>(held) && py::cast<std::string>(held).ends_with("Hz");
-    return isHertz ? inUnit(name, "Hz") * 4.0 * scales(bar).time : inUnit(name, "omega_1");
+    return !held.is_none() && held.ptr() != Py_False;
 }
 
-double Asked::inUnit(const char* name, const char* unit) const
+std::string Asked::text(std::string_view option) const
 {
-    const py::object held = object(name);
-    return py::isinstance<py::str>(held) ? quantityOf(name, py::cast<std::string>(held), unit)
-                                         : get<double>(name);
+    const py::object held = object(option);
+    const auto rows = optionsNamed(std::string(option));
+    const bool isNumber = std::any_of(rows.begin(), rows.end(), [](const Option* row) {
+        return row->takes != Takes::choice && (row->takes != Takes::text || row->unit != "-");
+    });
+    return held.is_none()                               ? ""
+           : !isNumber || py::isinstance<py::str>(held) ? get<std::string>(option)
+                                                        : fmt::format("{}", get<double>(option));
 }
 
-std::string Asked::unitOf(const char* name) const
+std::optional<double> Asked::number(std::string_view option) const
 {
-    if (std::string_view(name) == "amplitude") {
-        return amplitudeUnitName(place(), maybe<int>("derivative").value_or(0));
-    }
-    return unitOfOption(name);
+    const auto value = maybe<double>(option);
+    warnIf(option == "--damping" && value > likelyPercent,
+           "damping above 1: percent are \"5%\" or 0.05");
+    return value;
 }
 
 Assembly assemblyIn(const std::string& words, const Bar& bar, double gravity)
@@ -95,13 +104,6 @@ Assembly assemblyIn(const std::string& words, const Bar& bar, double gravity)
 Assembly Asked::assembly() const
 {
     return assemblyIn(get<std::string>("words"), scene().bar, get<double>("gravity"));
-}
-
-std::int64_t Asked::steps(const Assembly& assembly, std::int64_t cycles) const
-{
-    return stepsOf(assembly,
-                   {maybe<double>("period"), maybe<double>("frequency"), maybe<double>("hertz")},
-                   cycles);
 }
 
 std::optional<double> Asked::energyRatio(const Bar& bar) const
@@ -122,14 +124,6 @@ Schedule Asked::schedule() const
     const py::object held = object("schedule");
     return py::isinstance<py::list>(held) ? scheduleOf(held, maybe<std::int64_t>("cells"))
                                           : py::cast<Schedule>(held);
-}
-
-std::optional<double> Asked::displacement(double frequencyRatio, const Bar& bar) const
-{
-    const auto amplitude = maybe<double>("amplitude");
-    const auto derivative = get<int>("derivative");
-    const double hertz = frequencyRatio * (0.25 / scales(bar).time);
-    return amplitude && derivative > 0 ? displacementAt(hertz, *amplitude, derivative) : amplitude;
 }
 
 namespace {

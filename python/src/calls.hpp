@@ -11,6 +11,7 @@
 #include <string>
 
 #include "arrays.hpp"
+#include "call.hpp"
 #include "engine_names.hpp"
 #include "excited_names.hpp"
 #include "faults.hpp"
@@ -23,25 +24,39 @@
 
 namespace signorini::python {
 
+/// An option as an argument: "--from" is "start".
+[[nodiscard]] std::string nameOf(std::string_view option);
+
 /// Bars in a row, scaled by one. \throws std::invalid_argument.
 [[nodiscard]] Assembly assemblyIn(const std::string& words, const Bar& bar, double gravity = 0.0);
 
-/// Arguments of one call; what is None was not given.
-class Asked : public py::dict {
+/// Arguments of one call, by their names or those of the program's options; what is None was not
+/// given.
+class Asked : public py::dict, public Call {
 public:
     using py::dict::dict;
 
-    [[nodiscard]] py::object object(const char* name) const
+    [[nodiscard]] py::object object(std::string_view name) const
     {
         PyObject* held = PyDict_GetItem(ptr(), keyOf(name));
         return held != nullptr ? py::reinterpret_borrow<py::object>(held) : py::none();
     }
-    [[nodiscard]] bool has(const char* name) const { return !object(name).is_none(); }
+    [[nodiscard]] bool has(std::string_view name) const override;
+    [[nodiscard]] std::string text(std::string_view option) const override;
+    [[nodiscard]] std::optional<double> number(std::string_view option) const override;
+    [[nodiscard]] std::optional<std::int64_t> whole(std::string_view option) const override
+    {
+        return maybe<std::int64_t>(option);
+    }
+    [[nodiscard]] std::string called(std::string_view option) const override
+    {
+        return nameOf(option);
+    }
 
     /// \throws py::type_error naming the argument unless it is of this kind, or None;
     /// std::invalid_argument where an option of that name does not take such a number.
     template <typename T>
-    [[nodiscard]] std::optional<T> maybe(const char* name) const
+    [[nodiscard]] std::optional<T> maybe(std::string_view name) const
     {
         const py::object held = object(name);
         if (held.is_none()) {
@@ -49,7 +64,8 @@ public:
         }
         if constexpr (std::is_same_v<T, double>) {
             if (py::isinstance<py::str>(held)) {
-                const double value = quantityOf(name, py::cast<std::string>(held), unitOf(name));
+                const double value = quantityOf(nameOf(name), py::cast<std::string>(held),
+                                                unitOfOption(std::string(name)));
                 requireFits(name, value);
                 return value;
             }
@@ -66,39 +82,13 @@ public:
     }
     /// The same of one that is always given.
     template <typename T>
-    [[nodiscard]] T get(const char* name) const
+    [[nodiscard]] T get(std::string_view name) const
     {
         std::optional<T> value = maybe<T>(name);
         if (!value) {
             refuseKind(name, kindOf<T>());
         }
         return *std::move(value);
-    }
-    /// The same into its place, which keeps what is there where none is given.
-    template <typename T>
-    void read(const char* name, T& place) const
-    {
-        place = maybe<T>(name).value_or(place);
-    }
-    /// In such units.
-    void read(const char* name, double& place, double unit) const
-    {
-        place = has(name) ? get<double>(name) / unit : place;
-    }
-    /// A frequency in ω₁, or as text in Hz: those of a bar.
-    [[nodiscard]] double frequency(const char* name, const Bar& bar) const;
-    /// A number, or text with the unit in which the program takes it.
-    [[nodiscard]] double inUnit(const char* name, const char* unit) const;
-    /// One of the names of a table. \throws std::invalid_argument naming the argument.
-    template <typename Table>
-    [[nodiscard]] auto named(const char* name, const Table& table) const
-    {
-        const auto word = get<std::string>(name);
-        const auto value = valueIn(table, word);
-        if (!value) {
-            throwFault(name, word, namesIn(table));
-        }
-        return *value;
     }
 
     [[nodiscard]] Bar bar() const { return get<Bar>("bar"); }
@@ -107,23 +97,19 @@ public:
     [[nodiscard]] Schedule schedule() const;
     /// Of "energy" or "energy_ratio", if one is given.
     [[nodiscard]] std::optional<double> energyRatio(const Bar& bar) const;
-    [[nodiscard]] Damping damping() const
-    {
-        const Damping damping{get<double>("damping")};
-        warnIf(damping.ratio > likelyPercent, "damping above 1: percent are \"5%\" or 0.05");
-        return damping;
-    }
-    /// The same, or none.
-    [[nodiscard]] Damping dampingIfGiven() const { return has("damping") ? damping() : Damping{}; }
+    [[nodiscard]] Damping damping() const { return {number("--damping").value_or(0.0)}; }
     /// Of "words", with the scales of "scene" and "gravity". \throws std::invalid_argument.
     [[nodiscard]] Assembly assembly() const;
-    /// Of "period", "frequency" or "hertz" of bars, in steps.
-    [[nodiscard]] std::int64_t steps(const Assembly& assembly, std::int64_t cycles) const;
     /// "tip" or "base", of "force".
-    [[nodiscard]] Excited place() const { return named("force", excitedNames); }
-    /// "amplitude" [N] or [m], where "derivative" is not 0 that of a base which moves with so many
-    /// ω/ω₁.
-    [[nodiscard]] std::optional<double> displacement(double frequencyRatio, const Bar& bar) const;
+    [[nodiscard]] Excited place() const { return named("--force", excitedNames).value(); }
+    /// Cells where none are given.
+    [[nodiscard]] std::int64_t cells() const { return whole("--cells").value_or(usualCells); }
+    /// A fault of the library in the words of this call, one of these questions.
+    [[nodiscard]] std::string inOptions(const std::string& message, unsigned questions) const
+    {
+        return answers::inOptions(message, questions,
+                                  [this](std::string_view name) { return text(name); });
+    }
 
     /// How a curve is traced, of any bars.
     template <typename Options>
@@ -154,11 +140,9 @@ private:
         }
     }
     /// Names of arguments are few, and made into Python's text once.
-    [[nodiscard]] static PyObject* keyOf(const char* name);
-    /// In which the program takes an option of that name.
-    [[nodiscard]] std::string unitOf(const char* name) const;
-    void requireFits(const char* name, double value) const;
-    [[noreturn]] void refuseKind(const char* name, const char* kind) const;
+    [[nodiscard]] static PyObject* keyOf(std::string_view name);
+    void requireFits(std::string_view name, double value) const;
+    [[noreturn]] void refuseKind(std::string_view name, const char* kind) const;
 };
 
 /// What a job may use: to ask whether it is to end, and to say how far it is.

@@ -59,9 +59,9 @@ FindOptions optionsOf(const Asked& asked)
 {
     FindOptions options;
     options.solver = asked.get<std::string>("solver");
-    options.objective = asked.named("objective", objectiveNames);
+    options.objective = asked.named("--objective", objectiveNames).value_or(options.objective);
     options.tolerance = asked.get<double>("tolerance");
-    asked.read("time_limit", options.timeLimit);
+    asked.read("--time-limit", options.timeLimit);
     return options;
 }
 
@@ -75,10 +75,13 @@ struct Search {
         options.scene = asked.scene();
         const Bar units = unitsOf(options.scene);
         const Scales scale = scales(units);
-        options.formulation = asked.named("formulation", formulationNames);
+        options.formulation =
+            asked.named("--formulation", formulationNames).value_or(options.formulation);
         options.energyRatio = asked.energyRatio(units);
-        asked.read("strain_limit", options.strainLimit, scale.strain);
-        asked.read("tip_floor", options.tipFloor, scale.displacement);
+        asked.read("--strain-limit", options.strainLimit);
+        options.strainLimit /= scale.strain;
+        asked.read("--tip-floor", options.tipFloor);
+        options.tipFloor /= scale.displacement;
         if (const auto target = asked.maybe<StateOf>("target")) {
             how = fmt::format("a state of {} cells", target->value->cells());
             options.target = *target->value;
@@ -107,11 +110,10 @@ py::dict findPeriod(const Asked& asked)
 {
     const Search search(asked);
     const FindOptions& options = search.options;
-    const auto cells = asked.maybe<std::int64_t>("cells").value_or(usualCells);
+    const std::int64_t cells = asked.cells();
+    const auto [option, word] = asked.period();
     QuestionAnswer answer =
-        questionOf(periodOnGrid(asked.get<std::string>("option"), asked.get<std::string>("word"),
-                                cells, options.scene.bar),
-                   cells, options);
+        questionOf(periodOnGrid(option, word, cells, options.scene.bar), cells, options);
     const auto schedules =
         schedulesOfPeriod(cells, answer.asked.steps, stopsOf(options.scene).right);
     answer.asked.word = asked.get<std::string>("said");
@@ -176,7 +178,7 @@ ContinuumAnswer continuum(const Asked& asked)
     const double ratio = asked.energyRatio(options.scene.bar).value();
     asked.readCurve(options);
     options.trace = traceOf(asked);
-    asked.read("strain_limit", options.strainLimit);
+    asked.read("--strain-limit", options.strainLimit);
     return patiently(asked, [=](const Wires& wires) {
         return ContinuumAnswer{
             std::make_shared<const Continuum>(traceContinuum(schedule, ratio, wires.on(options)))};
@@ -232,7 +234,7 @@ SceneFindAnswer findInBars(const Asked& asked)
 SceneQuestionAnswer findPeriodInBars(const Asked& asked)
 {
     const AskedBars of(asked);
-    const std::int64_t steps = asked.steps(of.assembly, 1);
+    const std::int64_t steps = stepsAsked(asked, of.assembly, 1);
     const FindOptions options = optionsOf(asked);
     const NetworkWish wish = wishOf(asked, of, options.objective);
     return findPatiently(asked, steps, [=](const Wires& wires) {
@@ -243,11 +245,11 @@ SceneQuestionAnswer findPeriodInBars(const Asked& asked)
 SceneForcedAnswer findForcedInBars(const Asked& asked)
 {
     const AskedBars of(asked);
+    const ForceOptions force(asked);
     const Forcing forcing{asked.place(), asked.get<std::int64_t>("cycles"), {}};
-    const auto amplitude = asked.maybe<double>("amplitude");
-    const auto derivative = asked.get<int>("derivative");
     return findPatiently(asked, stepsOf(of.schedule), [=](const Wires&) {
-        return forcedAnswerOf(of.assembly, of.network, of.schedule, forcing, amplitude, derivative);
+        return forcedAnswerOf(of.assembly, of.network, of.schedule, forcing, force.amplitude,
+                              force.derivative);
     });
 }
 
@@ -274,7 +276,7 @@ SceneContinuumAnswer continuumInBars(const Asked& asked)
     options.to = wavesOf(asked, "to", of);
     options.direction = wavesOf(asked, "direction", of);
     options.isSample = asked.get<bool>("sample");
-    asked.read("seed", options.seed);
+    options.seed = asked.maybe<std::uint64_t>("seed").value_or(options.seed);
     return patiently(asked, [=](const Wires& wires) {
         return continuumOf(of.assembly, of.network, of.schedule, energy, wires.on(options));
     });

@@ -72,7 +72,7 @@ py::dict families(const Asked& asked)
     list.bar = barAtRest(asked);
     list.gravity = asked.get<double>("gravity");
     FamilyBounds bounds{.gapSign = stopsOf(list.bar).right};
-    asked.read("max_energy_ratio", bounds.maxEnergyRatio);
+    asked.read("--max-energy-ratio", bounds.maxEnergyRatio);
     list.maxEnergyRatio = bounds.maxEnergyRatio;
     return dictionaryOf(patiently(asked, [=](const Wires& wires) mutable {
         std::int64_t order = 0;

@@ -15,9 +15,14 @@ namespace signorini::python {
 
 namespace {
 
-/// The library's words with its names as Python has them: "maxOrder = 0 ..." is of max_order.
+/// The library's words with its names as Python has them: "maxOrder = 0 ..." is of max_order, and
+/// --max-order too.
 std::string inPython(std::string words)
 {
+    static const std::regex option("--[a-z][a-z-]*");
+    for (std::smatch at; std::regex_search(words, at, option);) {
+        words = at.prefix().str() + nameOf(at.str()) + at.suffix().str();
+    }
     static const std::regex hump(
         R"([a-z](?=[A-Z][^ \n,;:.()]* = )|wave(?=Speed)|axial(?=Stiffness))");
     for (std::smatch at; std::regex_search(words, at, hump);) {

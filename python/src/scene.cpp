@@ -273,7 +273,7 @@ void addScene(py::module_& module)
         if (cells && !scene.segments.empty()) {
             requireCells(steppedBar(scene.segments), *cells);
         }
-        return textOf(assemblyOf(scene, cells.value_or(usualCells), asked.dampingIfGiven()).parts);
+        return textOf(assemblyOf(scene, cells.value_or(usualCells), asked.damping()).parts);
     });
     addSchedule(module);
     addState(module);

@@ -93,13 +93,6 @@ void addSimulated(py::module_& module)
         });
 }
 
-/// What moves bars of these units.
-Drive driveOf(const Asked& asked, const Bar& units)
-{
-    const double ratio = asked.frequency("frequency", units);
-    return {asked.place(), *asked.displacement(ratio, units), ratio, asked.get<double>("phase")};
-}
-
 /// Where it starts: at rest, from a state, or from waves.
 Waves startOf(const Asked& asked, std::optional<std::int64_t> cells, const Stops& stops,
               const std::function<Excitation(double)>& drivenBy)
@@ -120,7 +113,7 @@ Simulated simulate(const Asked& asked)
     SimulationAnswer answer{.scene = asked.scene(), .damping = asked.damping()};
     const Bar units = answer.scene.bar;
     if (asked.has("frequency")) {
-        answer.drive = driveOf(asked, units);
+        answer.drive = driveAsked(asked, firstHertz(units), asked.place());
     }
     const auto cells = asked.maybe<std::int64_t>("cells");
     const auto drivenBy = [&](double grid) {
@@ -169,7 +162,7 @@ SimulatedBars simulateBars(const Asked& asked)
     const Network network = networkOf(assembly);
     SceneDrive drive;
     if (asked.has("force")) {
-        drive = drivenBy(network, driveOf(asked, unitsOf(assembly, network)));
+        drive = driveAsked(asked, network);
     }
     const double duration = durationOf(network, drive, asked.maybe<double>("time"),
                                        asked.maybe<std::int64_t>("periods"));

@@ -74,7 +74,7 @@ def test_without_a_gap_energies_are_in_joules() -> None:
     (lambda: sg.find(5, 30, cells=10, strain_limit=-1), "strain_limit = -1 "),
     (lambda: sg.find(hertz=494), "hertz = 494 .* by default"),
     (lambda: sg.response(damping=0.02, force="tip", amplitude=1e-4, start=530, to=540),
-     "frequency ratios = 530.*looks like Hz"),
+     'start = 530 .*looks like Hz.* start="530Hz"'),
     (lambda: sg.find(150, 900, length=2.0).motion.displacement(2.5, 0.1),
      r"x = 2.5 is out of range: allowed 0..2 \[m\]"),
     (lambda: sg.find(150, 900).motion.velocity_ratio(-0.5, 0.1),

@@ -137,6 +137,12 @@ ExactPeriod parseFraction(std::string_view name, std::string_view text, std::str
     return *exact;
 }
 
+double parseRatio(std::string_view name, std::string_view text, std::string_view unit)
+{
+    return text.find('/') == std::string_view::npos ? parsePositive(name, text, unit)
+                                                    : parseFraction(name, text, unit).value();
+}
+
 std::string fractionAsText(const ExactPeriod& fraction)
 {
     return fraction.denominator == 1

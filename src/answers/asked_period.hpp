@@ -29,6 +29,9 @@ struct GivenNumber {
 /// \throws the same.
 [[nodiscard]] ExactPeriod parseFraction(std::string_view name, std::string_view text,
                                         std::string_view unit);
+/// A number > 0, or such a fraction. \throws the same.
+[[nodiscard]] double parseRatio(std::string_view name, std::string_view text,
+                                std::string_view unit);
 /// "7/2" or "4".
 [[nodiscard]] std::string fractionAsText(const ExactPeriod& fraction);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "stepped_bar.hpp"
+#include "stops.hpp"
 
 namespace signorini::answers {
 
@@ -41,6 +42,24 @@ ForcedAnswer answerOf(ForcedSet set, const Scene& scene, std::optional<double> a
         answer.exclusion = exclusionOf(answer.set, *answer.asked / answer.unit());
     }
     return answer;
+}
+
+std::function<ForcedAnswer()> forcedAsked(const Call& call, const Scene& scene,
+                                          const Schedule& schedule)
+{
+    const ForceOptions force(call);
+    force.requireDamping();
+    force.requirePlace();
+    refuseIf(canRest(schedule.phases, schedule.stops) && !force.amplitude, "--amplitude", "missing",
+             "numbers > 0 [N or m]: without a gap motions are as small as one likes");
+    const Forcing forcing{*force.place, call.whole("--cycles").value_or(1), {}};
+    ForcedLimits limits;
+    call.read("--strain-limit", limits.strain);
+    limits.strain /= scales(unitsOf(scene)).strain;
+    return [=] {
+        return answerOf(forcedMotions(schedule, force.damping(), forcing, limits, scene.segments),
+                        scene, force.amplitude, force.derivative);
+    };
 }
 
 Motion fieldOf(const ForcedMotion& motion, const std::vector<Segment>& segments)

@@ -2,6 +2,9 @@
 /// \file
 /// What is said of a schedule that is damped and forced.
 
+#include <functional>
+
+#include "call.hpp"
 #include "parts.hpp"
 #include "proofs.hpp"
 #include "signorini/response.hpp"
@@ -53,6 +56,11 @@ struct ForcedAnswer {
 /// the one of the least.
 [[nodiscard]] ForcedAnswer answerOf(ForcedSet set, const Scene& scene, std::optional<double> asked,
                                     int derivative = 0);
+
+/// What a call asks of a schedule, to be answered. \throws std::invalid_argument on options that
+/// are missing.
+[[nodiscard]] std::function<ForcedAnswer()> forcedAsked(const Call& call, const Scene& scene,
+                                                        const Schedule& schedule);
 
 /// What a bar of such segments does over one period.
 [[nodiscard]] Motion fieldOf(const ForcedMotion& motion, const std::vector<Segment>& segments);

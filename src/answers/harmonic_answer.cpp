@@ -8,6 +8,25 @@
 
 namespace signorini::answers {
 
+std::function<HarmonicAnswer(const Cancel&)> harmonicAsked(const Call& call, const Scene& scene,
+                                                           std::int64_t cells)
+{
+    const ForceOptions force(call);
+    const std::int64_t cycles = call.whole("--cycles").value_or(1);
+    const auto [option, word] = call.period();
+    const ExactPeriod period = periodExactly(option, word, cells, scene.bar, cycles);
+    force.requirePlace();
+    force.requireAmplitude();
+    const double frequencyRatio = 4.0 * static_cast<double>(cycles) / period.value();
+    const ForceOptions displaced = force.at(frequencyRatio * firstHertz(scene.bar));
+    (void)displaced.scaledAmplitude(scene.bar);
+    return [=, contacts = call.whole("--contacts").value_or(1),
+            limit = call.number("--strain-limit")](const Cancel& cancel) {
+        return within(limit, answerOf(period, force.damping(), *force.place, cycles,
+                                      *displaced.amplitude, scene, contacts, cancel));
+    };
+}
+
 HarmonicAnswer answerOf(const ExactPeriod& period, const Damping& damping, Excited place,
                         std::int64_t cycles, double amplitude, const Scene& scene,
                         std::int64_t contacts, const Cancel& cancel)

@@ -2,6 +2,9 @@
 /// \file
 /// What is said of a period whose excitation is an exact harmonic.
 
+#include <functional>
+
+#include "call.hpp"
 #include "harmonic_complete.hpp"
 #include "parts.hpp"
 
@@ -95,6 +98,12 @@ struct HarmonicAnswer {
     [[nodiscard]] HarmonicCase given() const;
     [[nodiscard]] Harmonic excitation() const;
 };
+
+/// What a call asks of a bar whose frequencies in Hz are those of so many cells, to be answered.
+/// \throws std::invalid_argument on options that are missing or do not go together.
+[[nodiscard]] std::function<HarmonicAnswer(const Cancel&)> harmonicAsked(const Call& call,
+                                                                         const Scene& scene,
+                                                                         std::int64_t cells);
 
 /// \throws as harmonicCase.
 [[nodiscard]] HarmonicAnswer answerOf(const ExactPeriod& period, const Damping& damping,

@@ -1,10 +1,71 @@
 #include "response_answer.hpp"
 
+#include <algorithm>
 #include <cmath>
 
-#include "excited_amplitude.hpp"
-
 namespace signorini::answers {
+
+namespace {
+
+/// --from to --to. Frequencies are in ω₁: where the grid has none so high, hertz may have been
+/// meant.
+void takeFrequencies(const Call& call, ResponseRange& range, const Bar& bar)
+{
+    const double hertz = firstHertz(bar);
+    const FrequencyOption from(call, "--from", "--from-hertz");
+    const FrequencyOption to(call, "--to", "--to-hertz");
+    const double least = from.ratioFor(hertz, range.leastFrequencyRatio);
+    const double most = to.ratioFor(hertz, range.mostFrequencyRatio);
+    requireOrder(call, least, most);
+    range.leastFrequencyRatio = least;
+    range.mostFrequencyRatio = most;
+    const double unit = 4.0 * static_cast<double>(range.cells * range.cycles);
+    const double fewest = 2.0 * static_cast<double>(range.cycles);  // steps
+    const bool isAbove = unit / most <= fewest;
+    const double first = std::max(std::ceil(unit / most), fewest);
+    if (least < likelyHertz || (!isAbove && first <= std::floor(unit / least))) {
+        return;
+    }
+    const auto [name, text] = givenEnd(call, isAbove ? "--to" : "--from");
+    const FrequencyOption& wrong = isAbove ? to : from;
+    std::string allowed =
+        isAbove ? fmt::format("below {:.6g} [ω₁] on {} cells", unit / fewest, range.cells)
+                : "4NK/n for some whole n, n > 2K [ω₁]";
+    if (wrong.hertz) {
+        allowed += fmt::format("; ω₁ is {:.6g} Hz ({})", hertz, sizeOf(bar));
+    } else if (wrong.ratio) {
+        allowed += looksLikeHertz(call, name, *wrong.ratio, hertz, sizeOf(bar));
+    }
+    refuse(name, text, allowed);
+}
+
+}  // namespace
+
+ResponseAnswer responseAsked(const Call& call, const Scene& scene, std::int64_t cells)
+{
+    ResponseAnswer answer{{}, scene, unitsOf(scene), 0.0, {}};
+    ResponseRange& range = answer.range;
+    const ForceOptions force(call);
+    call.read("--cycles", range.cycles);
+    takeContacts(call, range);
+    range.cells = cells;
+    range.stops = stopsOf(scene);
+    range.segments = scene.segments;
+    takeFrequencies(call, range, answer.bar);
+    range.damping = force.damping();
+    if (!force.ratio || !(range.damping.rho() < 1.0)) {
+        refuse("--damping", force.ratio ? fmt::format("{}", *force.ratio) : "missing",
+               "numbers > 0 [-] with exp(-πζ) < 1");
+    }
+    force.requirePlace();
+    force.requireAmplitude();
+    range.place = *force.place;
+    range.amplitude = force.scaledAmplitude(answer.bar);
+    range.derivative = force.derivative;
+    answer.amplitude = *force.amplitude;
+    answer.yieldStress = yieldStressOf(call, answer.bar);
+    return answer;
+}
 
 std::optional<PermanentOf> FrequencyOf::permanent() const
 {

@@ -2,6 +2,7 @@
 /// \file
 /// What is said of forced motions over a range of frequencies.
 
+#include "call.hpp"
 #include "forced_answer.hpp"
 
 namespace signorini::answers {
@@ -43,6 +44,20 @@ struct ResponseAnswer {
     /// The frequencies and their units.
     [[nodiscard]] std::vector<FrequencyOf> listed() const;
 };
+
+/// What is asked of a bar of so many cells, without frequencies; whether a grid has some, `stepsOf`
+/// says. \throws std::invalid_argument on options that are missing or do not go together.
+[[nodiscard]] ResponseAnswer responseAsked(const Call& call, const Scene& scene,
+                                           std::int64_t cells);
+
+/// --contacts and --band, the latter of two alone. \throws std::invalid_argument
+void takeContacts(const Call& call, auto& range)
+{
+    call.read("--contacts", range.contacts);
+    call.read("--band", range.band);
+    refuseIf(range.contacts < 2 && call.has("--band"), "--band", call.text("--band"),
+             "only together with " + call.with("--contacts", "2"));
+}
 
 /// One n of a range, its motions tried if that is asked for. \throws as responseAt.
 [[nodiscard]] std::optional<FrequencyResponse> frequencyAt(const ResponseRange& range,

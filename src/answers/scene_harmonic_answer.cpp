@@ -10,37 +10,38 @@
 
 namespace signorini::answers {
 
-std::int64_t stepsOf(const Assembly& assembly, const AskedSteps& asked, std::int64_t cycles)
+std::int64_t stepsAsked(const Call& call, const Assembly& assembly, std::int64_t cycles)
 {
     const Network network = networkOf(assembly);
     const double second = 1.0 / network.scales.time;
     const double crossing = assembly.length / assembly.waveSpeed * second;
     const double first = firstHertz(referenceOf(network));
     const auto periods = static_cast<double>(cycles);
-    const char* name = asked.period ? "period" : asked.hertz ? "hertz" : "frequency";
-    const double value = asked.period  ? *asked.period
-                         : asked.hertz ? *asked.hertz
-                                       : *asked.frequency;
-    const double wanted = asked.period  ? value * crossing
-                          : asked.hertz ? periods * second / value
-                                        : periods * second / (first * value);
+    const auto [option, word] = call.period();
+    const bool isPeriod = option.ends_with("period");
+    const bool isHertz = option.ends_with("hertz");
+    const std::string name = isPeriod ? "period" : isHertz ? "hertz" : "frequency";
+    const double value = isHertz ? parsePositive(option, word, "Hz")
+                                 : parseNumber(option, word, isPeriod ? "L/c" : "ω₁").value;
+    const double wanted = isPeriod  ? value * crossing
+                          : isHertz ? periods * second / value
+                                    : periods * second / (first * value);
     const double nearest = std::round(wanted);
     Faults faults;
-    if (!asked.period && !asked.hertz && !(first > 0.0)) {
+    if (!isPeriod && !isHertz && !(first > 0.0)) {
         faults.add(name, value, "bars that vibrate with their contacts open; hertz is of any");
     } else if (!(nearest >= 2.0 && nearest <= static_cast<double>(maxHarmonicSteps)) ||
-               (asked.period && std::abs(wanted - nearest) > 1e-9 * nearest)) {
+               (isPeriod && std::abs(wanted - nearest) > 1e-9 * nearest)) {
         const std::string steps = fmt::format("periods of 2..{} steps of {:.6g} s",
                                               maxHarmonicSteps, network.scales.time);
         const double most = 0.5 * periods * second;
         faults.add(name, value,
-                   asked.period ? fmt::format("{}, {:.10g} to L/c", steps, crossing)
-                   : asked.hertz
-                       ? fmt::format("{:.6g}..{:.6g} Hz for these bars (L = {:.6g} m, c = "
-                                     "{:.6g} m/s): {}",
-                                     2.0 * most / static_cast<double>(maxHarmonicSteps), most,
-                                     assembly.length, assembly.waveSpeed, steps)
-                       : steps);
+                   isPeriod  ? fmt::format("{}, {:.10g} to L/c", steps, crossing)
+                   : isHertz ? fmt::format("{:.6g}..{:.6g} Hz for these bars (L = {:.6g} m, c = "
+                                           "{:.6g} m/s): {}",
+                                           2.0 * most / static_cast<double>(maxHarmonicSteps), most,
+                                           assembly.length, assembly.waveSpeed, steps)
+                             : steps);
     }
     faults.throwIfAny();
     return static_cast<std::int64_t>(nearest);
@@ -59,6 +60,23 @@ bool mayPress(const Network& network)
 }
 
 }  // namespace
+
+std::function<SceneHarmonicAnswer(const Cancel&)> harmonicAsked(const Call& call,
+                                                                const Assembly& assembly)
+{
+    const ForceOptions force(call);
+    force.requirePlace();
+    force.requireAmplitude();
+    const std::int64_t contacts = call.whole("--contacts").value_or(1);
+    refuseIf(contacts != 1 && !driftingBars(networkOf(assembly)).empty(), "--contacts",
+             call.text("--contacts"), "1; more where a clamp or a spring holds every bar");
+    const std::int64_t cycles = call.whole("--cycles").value_or(1);
+    return [=, steps = stepsAsked(call, assembly, cycles),
+            limit = call.number("--strain-limit")](const Cancel& cancel) {
+        return within(limit, answerOf(assembly, *force.place, cycles, steps, *force.amplitude,
+                                      force.derivative, contacts, cancel));
+    };
+}
 
 SceneHarmonicAnswer answerOf(const Assembly& assembly, Excited place, std::int64_t cycles,
                              std::int64_t steps, double amplitude, int derivative,

@@ -8,17 +8,11 @@
 
 namespace signorini::answers {
 
-/// A period that is asked for: one of the three.
-struct AskedSteps {
-    std::optional<double> period = {};     ///< [L/c]
-    std::optional<double> frequency = {};  ///< [omega_1] of these bars, of the excitation
-    std::optional<double> hertz = {};      ///< [Hz], of the excitation
-};
-
-/// Its steps: whole for a period, the nearest for a frequency.
-/// \throws std::invalid_argument naming it and what is allowed.
-[[nodiscard]] std::int64_t stepsOf(const Assembly& assembly, const AskedSteps& asked,
-                                   std::int64_t cycles);
+/// Steps of the period that a call asks of bars, in which an excitation goes through so many
+/// cycles: whole for a period, the nearest for a frequency [omega_1 of these bars]. \throws
+/// std::invalid_argument naming it and what is allowed.
+[[nodiscard]] std::int64_t stepsAsked(const Call& call, const Assembly& assembly,
+                                      std::int64_t cycles);
 
 /// One of its contacts.
 struct SceneHarmonicContact {
@@ -95,6 +89,11 @@ struct SceneHarmonicAnswer {
 /// With what is measured of it, in SI.
 [[nodiscard]] SceneHarmonicMotion motionOf(const Assembly& assembly, const NetworkScales& scales,
                                            NetworkHarmonicMotion motion);
+
+/// What a call asks of bars, to be answered. \throws std::invalid_argument on options that are
+/// missing or do not go together.
+[[nodiscard]] std::function<SceneHarmonicAnswer(const Cancel&)> harmonicAsked(
+    const Call& call, const Assembly& assembly);
 
 /// Of an amplitude [N or m], or of a derivative of the base's displacement [m/s, m/s^2].
 /// \throws as harmonicContacts (harmonic_network_contact.hpp), or of several contacts as

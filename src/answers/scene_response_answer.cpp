@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "contact_response.hpp"
-#include "excited_amplitude.hpp"
 #include "faults.hpp"
 #include "harmonic_network_contact.hpp"
 #include "infinity.hpp"
@@ -55,10 +54,53 @@ std::vector<std::int64_t> stepsOf(const SceneResponse& asked)
     return all;
 }
 
-SceneResponse responseOf(const Assembly& assembly, const SceneRange& range)
+namespace {
+
+/// --from to --to, in ω₁ of these bars, which may not vibrate, or in Hz.
+void takeHertz(const Call& call, const Network& network, SceneRange& range)
 {
+    const ResponseRange usual;
+    const double first = firstHertz(referenceOf(network));
+    const double unit = first > 0.0 ? first : 1.0;  // [Hz], that of ratios
+    const auto read = [&](const char* name, const char* twin, double otherwise) {
+        const FrequencyOption option(call, name, twin);
+        if (!option.hertz && !(first > 0.0)) {
+            refuse(name, option.ratio ? fmt::format("{}", *option.ratio) : "missing",
+                   fmt::format("in Hz, as by {}: these bars do not vibrate",
+                               call.with(name, "530Hz")));
+        }
+        return option.ratioFor(unit, otherwise);
+    };
+    const double least = read("--from", "--from-hertz", usual.leastFrequencyRatio);
+    const double most = read("--to", "--to-hertz", usual.mostFrequencyRatio);
+    requireOrder(call, least, most);
+    range.leastHertz = unit * least;
+    range.mostHertz = unit * most;
+}
+
+}  // namespace
+
+SceneResponse responseAsked(const Call& call, const Assembly& assembly)
+{
+    const ForceOptions force(call);
+    const Bar bar{
+        .length = assembly.length, .waveSpeed = assembly.waveSpeed, .young = modulusOf(assembly)};
+    const auto yieldStress = yieldStressOf(call, bar);
+    force.requirePlace();
+    force.requireAmplitude();
+    SceneRange range{*force.place, *force.amplitude, force.derivative};
+    call.read("--cycles", range.cycles);
+    takeContacts(call, range);
+    range.isExact = call.has("--exact");
+    range.triesStability = call.has("--stability");
     const Network network = networkOf(assembly);
-    return {range, network.scales, severalOf(assembly, network)};
+    takeHertz(call, network, range);
+    SceneResponse answer{range, network.scales, severalOf(assembly, network)};
+    answer.yieldStress = yieldStress;
+    const FrequencyOption to(call, "--to", "--to-hertz");
+    hinting(call, "--to", to.ratio, firstHertz(referenceOf(network)), bar,
+            [&] { (void)stepsOf(answer); });
+    return answer;
 }
 
 namespace {

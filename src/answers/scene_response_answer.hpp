@@ -2,7 +2,7 @@
 /// \file
 /// What is said of bars in a row under a harmonic over a range of frequencies.
 
-#include "excited_amplitude.hpp"
+#include "response_answer.hpp"
 #include "scene_harmonic_answer.hpp"
 #include "signorini/control.hpp"
 #include "signorini/response.hpp"
@@ -73,7 +73,9 @@ struct SceneResponse {
 /// two contacts.
 [[nodiscard]] std::vector<std::int64_t> stepsOf(const SceneResponse& asked);
 
-/// What is asked, without frequencies.
+/// What is asked, without frequencies; of options \throws std::invalid_argument where some are
+/// missing or do not go together, and as `stepsOf`.
+[[nodiscard]] SceneResponse responseAsked(const Call& call, const Assembly& assembly);
 [[nodiscard]] SceneResponse responseOf(const Assembly& assembly, const SceneRange& range);
 
 /// One frequency of what is asked; waves that resonate are its reason. O(n^2) for each contact,

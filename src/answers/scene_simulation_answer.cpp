@@ -25,6 +25,41 @@ SceneDrive drivenBy(const Network& network, Drive drive)
     return made;
 }
 
+namespace {
+
+/// Where nothing is said, what is there.
+Excited placeIn(const Network& network, const ForceOptions& force)
+{
+    const bool hasForce = isExcitable(network, Excited::tip);
+    if (!force.place && hasForce == isExcitable(network, Excited::base)) {
+        refuse("--amplitude", fmt::format("{}", *force.amplitude),
+               "a scene with one word driven (a force [N]) or shaken (a clamp [m]); --force "
+               "tip|base says which of two");
+    }
+    return force.place.value_or(hasForce ? Excited::tip : Excited::base);
+}
+
+}  // namespace
+
+SceneDrive driveAsked(const Call& call, const Network& network)
+{
+    ForceOptions force(call);
+    const FrequencyOption frequency(call, "--frequency", "--hertz");
+    refuseIf(force.amplitude.has_value() != frequency.isGiven(),
+             "--amplitude, --frequency: allowed only together");
+    if (!force.amplitude) {
+        refuseIf(force.place || call.has("--periods"),
+                 "--force, --periods: allowed only together with --amplitude and --frequency");
+        return {};
+    }
+    const Excited place = placeIn(network, force);
+    if (place == Excited::tip && force.derivative > 0) {
+        refuse("--amplitude-" + std::string(amplitudeOf(Excited::base, force.derivative)),
+               fmt::format("{}", *force.amplitude), "only for a base that is shaken");
+    }
+    return drivenBy(network, driveAsked(call, firstHertz(referenceOf(network)), place));
+}
+
 double durationOf(const Network& network, const SceneDrive& drive,
                   const std::optional<double>& time, const std::optional<std::int64_t>& periods)
 {

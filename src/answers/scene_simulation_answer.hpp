@@ -17,6 +17,9 @@ struct SceneDrive {
 /// \throws std::invalid_argument naming force or frequency where nothing is there to excite, or a
 /// period has too few or too many steps.
 [[nodiscard]] SceneDrive drivenBy(const Network& network, Drive drive);
+/// The one that a call asks for, whose place need not be said where there is one.
+/// \throws std::invalid_argument on options that do not go together, and as drivenBy.
+[[nodiscard]] SceneDrive driveAsked(const Call& call, const Network& network);
 
 /// How long a call asks for: so many seconds, or periods of the harmonic [h].
 /// \throws std::invalid_argument naming time or periods beyond 1e9 crossings of all bars.

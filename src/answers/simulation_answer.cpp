@@ -24,6 +24,14 @@ void Drive::follow(const Excitation& excitation, const Bar& bar)
     period = static_cast<double>(steps) / excitation.stepsPerCrossing * scales(bar).time;
 }
 
+Drive driveAsked(const Call& call, double firstHertz, Excited place)
+{
+    const ForceOptions force(call);
+    const double ratio = FrequencyOption(call, "--frequency", "--hertz").ratioFor(firstHertz);
+    return {place, force.at(ratio * firstHertz).amplitude.value(), ratio,
+            call.number("--phase").value_or(0.0)};
+}
+
 std::string_view name(Ending ending)
 {
     switch (ending) {

@@ -2,6 +2,7 @@
 /// \file
 /// What a simulation came to.
 
+#include "call.hpp"
 #include "parts.hpp"
 #include "signorini/settling.hpp"
 
@@ -22,6 +23,10 @@ struct Drive {
     /// Takes steps and period of an excitation.
     void follow(const Excitation& excitation, const Bar& bar);
 };
+
+/// Of --amplitude or its derivatives, --frequency and --phase, ω₁ being so many Hz. \pre The first
+/// two are given. \throws std::invalid_argument naming a wrong one.
+[[nodiscard]] Drive driveAsked(const Call& call, double firstHertz, Excited place);
 
 /// Did it reach its end?
 enum class Ending { done, interrupted };

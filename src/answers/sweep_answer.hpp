@@ -2,6 +2,7 @@
 /// \file
 /// What a bar settled on at the values of a sweep.
 
+#include "call.hpp"
 #include "parts.hpp"
 #include "scene_answer.hpp"
 #include "signorini/sweep.hpp"
@@ -42,6 +43,13 @@ struct SweepAnswer {
     /// before anything is followed or written.
     void require(const Network* network) const;
 };
+
+/// What is asked of a bar, or of what a network is: without points. Of several bars the bar of the
+/// answer has its units, and as its first frequency that of the scene; `cells` where they do not
+/// say. \throws std::invalid_argument on options that are missing or do not go together.
+[[nodiscard]] SweepAnswer sweepAsked(const Call& call, const Scene& scene, std::int64_t cells);
+[[nodiscard]] SweepAnswer sweepAsked(const Call& call, const Assembly& assembly,
+                                     const Network& network, std::int64_t cells);
 
 void describe(auto& d, Type<SweepPointOf>)
 {

@@ -38,28 +38,6 @@ extern "C" void removeStagedAndQuit(int number)
 
 }  // namespace
 
-void refuse(std::string_view name, std::string_view text, std::string_view allowed)
-{
-    if (text == "missing") {
-        throw std::invalid_argument(fmt::format("{} is missing: allowed {}", name, allowed));
-    }
-    throwFault(name, text.empty() ? "''" : text, allowed);
-}
-
-void refuseIf(bool isWrong, std::string_view name, std::string_view text, std::string_view allowed)
-{
-    if (isWrong) {
-        refuse(name, text, allowed);
-    }
-}
-
-void refuseIf(bool isWrong, std::string_view sentence)
-{
-    if (isWrong) {
-        throw std::invalid_argument(std::string(sentence));
-    }
-}
-
 ExitStatus exitStatusOf(Status status)
 {
     switch (status) {
@@ -104,12 +82,6 @@ void removeOnSignal(const std::string& path)
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
         (void)std::signal(number, removeStagedAndQuit);
     }
-}
-
-double parseRatio(std::string_view name, std::string_view text, std::string_view unit)
-{
-    return text.find('/') == std::string_view::npos ? parsePositive(name, text, unit)
-                                                    : parseFraction(name, text, unit).value();
 }
 
 std::int64_t parseWhole(std::string_view name, std::string_view text, std::int64_t low,

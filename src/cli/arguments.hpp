@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "asked_period.hpp"
+#include "call.hpp"
 #include "faults.hpp"
 #include "names.hpp"
 #include "signorini/assembly.hpp"
@@ -47,21 +47,21 @@ void tell(std::string_view text) noexcept;
 /// staged later under `path` are removed by the handlers of SIGINT, SIGTERM and SIGHUP.
 void removeOnSignal(const std::string& path);
 
-/// Says that a value cannot be. \throws std::invalid_argument naming argument, value and range.
-[[noreturn]] void refuse(std::string_view name, std::string_view text, std::string_view allowed);
-/// The same if it is so.
-void refuseIf(bool isWrong, std::string_view name, std::string_view text, std::string_view allowed);
-/// Says that a call cannot be, in a sentence, if it is so. \throws std::invalid_argument.
-void refuseIf(bool isWrong, std::string_view sentence);
+using answers::refuse;
+using answers::refuseIf;
 
 using answers::GivenNumber;
 using answers::parseFraction;
 using answers::parseNumber;
 using answers::parsePositive;
+using answers::parseRatio;
 
-/// A number > 0, or a fraction as 8/7. \throws std::invalid_argument as above.
-[[nodiscard]] double parseRatio(std::string_view name, std::string_view text,
-                                std::string_view unit);
+using answers::ForceOptions;
+using answers::FrequencyOption;
+using answers::givenEnd;
+using answers::hinting;
+using answers::requireOrder;
+using answers::yieldStressOf;
 
 /// A whole number in [low, high]. \throws std::invalid_argument naming argument, value and range.
 [[nodiscard]] std::int64_t parseWhole(std::string_view name, std::string_view text,

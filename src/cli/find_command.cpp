@@ -152,33 +152,6 @@ unsigned FindCommand::kind() const
                         : asks::schedule;
 }
 
-std::pair<std::string, std::string> FindCommand::period() const
-{
-    std::pair<std::string, std::string> asked;
-    for (const char* option : {"--period", "--frequency", "--hertz"}) {
-        if (given.has(option)) {
-            refuseIf(!asked.first.empty(), "--period, --frequency, --hertz: allowed one of them");
-            asked = {option, given.text(option)};
-        }
-    }
-    if (const auto hertz = given.number("--hertz")) {
-        asked.second = fmt::format("{}", *hertz);  // without a unit
-    }
-    return asked;
-}
-
-std::int64_t FindCommand::stepsOn(const Assembly& assembly, std::int64_t ofCycles) const
-{
-    const auto [option, word] = period();
-    answers::AskedSteps asked{.hertz = given.number("--hertz")};
-    if (option == "--period") {
-        asked.period = parseNumber(option, word, "L/c").value;
-    } else if (option == "--frequency") {
-        asked.frequency = parseNumber(option, word, "ω₁").value;
-    }
-    return answers::stepsOf(assembly, asked, ofCycles);
-}
-
 ExitStatus FindCommand::findInBars() const
 {
     refuseIf(
@@ -228,7 +201,7 @@ ExitStatus FindCommand::run() const
     if (asked == asks::forcedPeriod) {
         status = answerHarmonic(*this);
     } else if (asked == asks::period) {
-        const auto [option, word] = period();
+        const auto [option, word] = given.period();
         status = answerQuestion(answers::periodOnGrid(option, word, common.usualCells(), bar.bar),
                                 completed(*this));
     } else {

@@ -12,7 +12,6 @@
 
 #include "arguments.hpp"
 #include "find_outputs.hpp"
-#include "force_options.hpp"
 #include "given.hpp"
 #include "interrupt.hpp"
 #include "question_answer.hpp"
@@ -41,11 +40,6 @@ struct FindCommand {
     {
         return given.has("--period") || given.has("--frequency") || given.has("--hertz");
     }
-    /// Its option and word. \pre hasPeriod(). \throws std::invalid_argument if several are given.
-    [[nodiscard]] std::pair<std::string, std::string> period() const;
-    /// Its steps on bars in a row, with so many cycles in it. \throws also as answers::stepsOf.
-    [[nodiscard]] std::int64_t stepsOn(const Assembly& assembly, std::int64_t ofCycles) const;
-
     /// Says on stderr where a motion is not what a bar could do.
     void warn(const Physical& physical) const;
 

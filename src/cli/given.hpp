@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "names.hpp"
+#include "call.hpp"
 #include "options.hpp"
 
 namespace signorini::cli {
@@ -26,7 +26,7 @@ struct Usage {
 };
 
 /// The options and words of one call, each checked as far as its row of the table says.
-class Given {
+class Given : public answers::Call {
 public:
     /// \param asked the words behind the command. \throws std::invalid_argument with one line.
     Given(const Usage& usage, const std::vector<std::string>& asked);
@@ -35,18 +35,15 @@ public:
     [[nodiscard]] bool wantsHelp() const { return wantsHelp_; }
     [[nodiscard]] const std::vector<std::string>& words() const { return words_; }
 
-    [[nodiscard]] bool has(std::string_view option) const;
+    [[nodiscard]] bool has(std::string_view option) const override;
     /// Is it an option of this command?
     [[nodiscard]] bool knows(std::string_view option) const;
-    /// As it was typed; empty: not given.
-    [[nodiscard]] std::string text(std::string_view option) const;
-    /// In the unit of the table.
-    [[nodiscard]] std::optional<double> number(std::string_view option) const;
-    [[nodiscard]] std::optional<std::int64_t> whole(std::string_view option) const;
-    /// One of the values of an enumeration, by the name that a table (names.hpp) has for it.
-    [[nodiscard]] auto named(std::string_view option, const auto& table) const
+    [[nodiscard]] std::string text(std::string_view option) const override;
+    [[nodiscard]] std::optional<double> number(std::string_view option) const override;
+    [[nodiscard]] std::optional<std::int64_t> whole(std::string_view option) const override;
+    [[nodiscard]] std::string called(std::string_view option) const override
     {
-        return valueIn(table, text(option));
+        return std::string(option);
     }
     /// The words after an option that takes several.
     [[nodiscard]] const std::vector<std::string>& all(std::string_view option) const;

@@ -70,17 +70,6 @@ std::string didYouMean(std::string_view word, const std::vector<std::string>& na
     return nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest);
 }
 
-std::string looksLikeHertz(std::string_view option, double ratio, double hertz,
-                           const std::string& size)
-{
-    return ratio < answers::likelyHertz
-               ? ""
-               : fmt::format(
-                     "; {0:.6g} looks like Hz: ω₁ is {1:.6g} Hz ({2}), so it is "
-                     "{3} {0:.6g}Hz, or {3} {4:.6g}",
-                     ratio, hertz, size, option, ratio / hertz);
-}
-
 std::string youngNote(const std::optional<double>& young)
 {
     return young && *young < answers::softestModulus

@@ -19,26 +19,9 @@ namespace signorini::cli {
 /// "; did you mean NAME?", or nothing where no name is near.
 [[nodiscard]] std::string didYouMean(std::string_view word, const std::vector<std::string>& names);
 
-/// "; 530 looks like Hz: ω₁ is 494 Hz (L = 3 m, ...), so it is --to 530Hz, or --to 1.07", of a
-/// ratio that was typed after an option; nothing where it is none of those that are mistaken.
-[[nodiscard]] std::string looksLikeHertz(std::string_view option, double ratio, double hertz,
-                                         const std::string& size);
-
 using answers::sizeOf;
 
 /// A line on a modulus that no bar has: GPa was meant. Empty of others.
 [[nodiscard]] std::string youngNote(const std::optional<double>& young);
-
-/// Does what may refuse such a ratio; a refusal says whether it looks like Hz.
-auto hinting(std::string_view option, const std::optional<double>& ratio, double hertz,
-             const Bar& bar, auto does)
-{
-    try {
-        return does();
-    } catch (const std::invalid_argument& error) {
-        throw std::invalid_argument(
-            error.what() + (ratio ? looksLikeHertz(option, *ratio, hertz, sizeOf(bar)) : ""));
-    }
-}
 
 }  // namespace signorini::cli

@@ -7,7 +7,6 @@
 
 #include "exact_figure.hpp"
 #include "files.hpp"
-#include "force_options.hpp"
 #include "given.hpp"
 #include "hints.hpp"
 #include "progress.hpp"
@@ -90,38 +89,6 @@ struct Worker {
     }
 };
 
-/// --from to --to. Frequencies are in ω₁: where the grid has none so high, hertz may have been
-/// meant.
-void takeFrequencies(const Given& given, ResponseRange& range, const Bar& bar)
-{
-    const double hertz = firstHertz(bar);
-    const FrequencyOption from(given, "--from", "--from-hertz");
-    const FrequencyOption to(given, "--to", "--to-hertz");
-    const double least = from.ratioFor(hertz, range.leastFrequencyRatio);
-    const double most = to.ratioFor(hertz, range.mostFrequencyRatio);
-    requireOrder(given, least, most);
-    range.leastFrequencyRatio = least;
-    range.mostFrequencyRatio = most;
-    const double unit = 4.0 * static_cast<double>(range.cells * range.cycles);
-    const double fewest = 2.0 * static_cast<double>(range.cycles);  // steps
-    const bool isAbove = unit / most <= fewest;
-    const double first = std::max(std::ceil(unit / most), fewest);
-    if (least < answers::likelyHertz || (!isAbove && first <= std::floor(unit / least))) {
-        return;
-    }
-    const auto [name, text] = typedEnd(given, isAbove ? "--to" : "--from");
-    const FrequencyOption& wrong = isAbove ? to : from;
-    std::string allowed =
-        isAbove ? fmt::format("below {:.6g} [ω₁] on {} cells", unit / fewest, range.cells)
-                : "4NK/n for some whole n, n > 2K [ω₁]";
-    if (wrong.hertz) {
-        allowed += fmt::format("; ω₁ is {:.6g} Hz ({})", hertz, sizeOf(bar));
-    } else if (wrong.ratio) {
-        allowed += looksLikeHertz(name, *wrong.ratio, hertz, sizeOf(bar));
-    }
-    refuse(name, text, allowed);
-}
-
 /// The harmonic itself in place of a staircase.
 ExitStatus runExact(const Given& given, const CommonOptions& common, const ForceOptions& force,
                     const ResponseRange& asked, const Scene& scene)
@@ -170,44 +137,10 @@ void requireTogether(const Given& given, const CommonOptions& common, const Forc
              "only with --amplitude: at each frequency another displacement is meant");
     refuseIf(!isUniform(range.segments) && given.has("--backbone-csv"),
              "--backbone-csv: allowed of a uniform bar, whose modes are known");
-    refuseIf(given.has("--band") && range.contacts < 2, "--band", given.text("--band"),
-             "only together with --contacts 2");
     refuseIf(
         common.choosesCells && (!isUniform(range.segments) || hasMap || given.has("--map-csv")),
         "--cells auto: allowed for a uniform bar, and without --map and --map-csv, which "
         "have one grid");
-}
-
-ResponseAnswer asked(const Given& given, const CommonOptions& common, const ForceOptions& force)
-{
-    const Scene scene = common.scene();
-    ResponseAnswer answer{{}, scene, answers::unitsOf(scene), 0.0, {}};
-    ResponseRange& range = answer.range;
-    range.cycles = given.whole("--cycles").value_or(range.cycles);
-    range.contacts = given.whole("--contacts").value_or(range.contacts);
-    range.band = given.number("--band").value_or(range.band);
-    range.cells = common.usualCells();
-    range.stops = stopsOf(scene);
-    range.segments = scene.segments;
-    takeFrequencies(given, range, answer.bar);
-    range.damping = force.damping();
-    if (!force.ratio || !(range.damping.rho() < 1.0)) {
-        refuse("--damping", force.ratio ? fmt::format("{}", *force.ratio) : "missing",
-               "numbers > 0 [-] with exp(-πζ) < 1");
-    }
-    force.requirePlace();
-    force.requireAmplitude();
-    range.place = *force.place;
-    range.amplitude = force.scaledAmplitude(answer.bar);
-    range.derivative = force.derivative;
-    answer.amplitude = *force.amplitude;
-    answer.yieldStress = yieldStressOf(given, answer.bar);
-    requireTogether(given, common, force, range);
-    if (common.choosesCells) {
-        range.cells = coarseResponseCells;
-    }
-    (void)stepsOf(range);
-    return answer;
 }
 
 /// Bars in a row, whose words say what is damped, or segments under the harmonic itself.
@@ -241,7 +174,12 @@ ExitStatus runResponse(const Given& given)
     if (const auto bars = barsOf(given, common, force)) {
         return respondInBars(given, common, force, *bars);
     }
-    ResponseAnswer answer = asked(given, common, force);
+    ResponseAnswer answer = answers::responseAsked(given, common.scene(), common.usualCells());
+    requireTogether(given, common, force, answer.range);
+    if (common.choosesCells) {
+        answer.range.cells = coarseResponseCells;
+    }
+    (void)stepsOf(answer.range);
     if (given.has("--exact")) {
         return runExact(given, common, force, answer.range, answer.scene);
     }

@@ -56,23 +56,13 @@ std::string asText(const answers::SceneHarmonicAnswer& answer)
 
 ExitStatus findHarmonicInBars(const FindCommand& call, const Assembly& assembly)
 {
-    const ForceOptions& force = call.force;
-    force.requirePlace();
-    force.requireAmplitude();
     refuseIf(call.given.has("--certificate"), "--certificate", call.given.text("--certificate"),
              "none with --period, --frequency and --hertz of several bars or segments");
     requireOfBars(call, assembly);
-    const Network network = networkOf(assembly);
-    const std::int64_t contacts = call.given.whole("--contacts").value_or(1);
-    refuseIf(contacts != 1 && !driftingBars(network).empty(), "--contacts",
-             call.given.text("--contacts"), "1; more where a clamp or a spring holds every bar");
-    const Interrupt interrupt;
     FindOutputs files(call);
-    const std::int64_t steps = call.stepsOn(assembly, call.cycles);
-    const answers::SceneHarmonicAnswer answer = answers::within(
-        call.given.number("--strain-limit"),
-        answers::answerOf(assembly, *force.place, call.cycles, steps, *force.amplitude,
-                          force.derivative, contacts, interrupt.cancel()));
+    const auto question = answers::harmonicAsked(call.given, assembly);
+    const Interrupt interrupt;
+    const answers::SceneHarmonicAnswer answer = question(interrupt.cancel());
     if (answer.motions.empty()) {
         files.lackMotion();
     } else {  // the last one has the largest impulse

@@ -4,6 +4,7 @@
 
 #include "progress.hpp"
 #include "scene_find.hpp"
+#include "scene_harmonic_answer.hpp"
 #include "scene_question_answer.hpp"
 #include "scene_report.hpp"
 
@@ -52,7 +53,7 @@ ExitStatus findPeriodInBars(const FindCommand& call, const Assembly& assembly)
     FindOutputs files(call);
     Network network = networkOf(assembly);
     answers::limitStrain(network, assembly, call.given.number("--strain-limit"));
-    const std::int64_t steps = call.stepsOn(assembly, 1);
+    const std::int64_t steps = answers::stepsAsked(call.given, assembly, 1);
     const NetworkWish wish = wishOf(call, assembly, network);
     FindOptions options = call.options;
     call.requireTried(steps);

@@ -5,7 +5,6 @@
 
 #include "commands.hpp"
 #include "files.hpp"
-#include "force_options.hpp"
 #include "given.hpp"
 #include "hints.hpp"
 #include "printing.hpp"
@@ -23,27 +22,6 @@ namespace {
 using answers::SceneFrequency;
 using answers::SceneHarmonicMotion;
 using answers::SceneResponse;
-
-/// --from to --to, in ω₁ of these bars, which may not vibrate, or in Hz.
-void takeHertz(const Given& given, const Network& network, answers::SceneRange& range)
-{
-    const ResponseRange usual;
-    const double first = answers::firstHertz(referenceOf(network));
-    const double unit = first > 0.0 ? first : 1.0;  // [Hz], that of ratios
-    const auto read = [&](const char* name, const char* twin, double otherwise) {
-        const FrequencyOption option(given, name, twin);
-        if (!option.hertz && !(first > 0.0)) {
-            refuse(name, option.ratio ? fmt::format("{}", *option.ratio) : "missing",
-                   fmt::format("in Hz, as by {}: these bars do not vibrate", twin));
-        }
-        return option.ratioFor(unit, otherwise);
-    };
-    const double least = read("--from", "--from-hertz", usual.leastFrequencyRatio);
-    const double most = read("--to", "--to-hertz", usual.mostFrequencyRatio);
-    requireOrder(given, least, most);
-    range.leastHertz = unit * least;
-    range.mostHertz = unit * most;
-}
 
 /// The largest strain of all motions, and its stress where that is known.
 std::string strainText(const SceneResponse& answer)
@@ -209,11 +187,8 @@ ExitStatus respondInBars(const Given& given, const CommonOptions& common, const 
     refuseIf(given.has("--backbone-csv"),
              "--backbone-csv: allowed of a uniform bar, whose modes are known");
     const bool isExact = given.has("--exact");
-    const std::int64_t contacts = given.whole("--contacts").value_or(1);
-    refuseIf(isExact && contacts > 1, "--contacts", given.text("--contacts"),
-             "1 with --exact; 2 of a harmonic in steps");
-    refuseIf(contacts < 2 && given.has("--band"), "--band", given.text("--band"),
-             "only together with --contacts 2");
+    refuseIf(isExact && given.whole("--contacts").value_or(1) > 1, "--contacts",
+             given.text("--contacts"), "1 with --exact; 2 of a harmonic in steps");
     for (const char* option : {"--map", "--map-csv"}) {
         refuseIf(
             given.has(option) && (isExact || force.derivative > 0), option, given.text(option),
@@ -222,29 +197,11 @@ ExitStatus respondInBars(const Given& given, const CommonOptions& common, const 
     }
     refuseIf(isExact && given.has("--stability"),
              "--stability: allowed without --exact, which says by itself how disturbances grow");
-    const Bar bar{.length = assembly.length,
-                  .waveSpeed = assembly.waveSpeed,
-                  .young = answers::modulusOf(assembly)};
-    const auto yieldStress = yieldStressOf(given, bar);
     refuseIf(common.choosesCells, "--cells", given.text("--cells"),
              "a number, or auto for a uniform bar: of others the cells are given");
-    force.requirePlace();
-    force.requireAmplitude();
-    answers::SceneRange range{*force.place, *force.amplitude, force.derivative,
-                              given.whole("--cycles").value_or(1)};
-    range.isExact = isExact;
-    range.triesStability = given.has("--stability");
-    range.contacts = contacts;
-    range.band = given.number("--band").value_or(range.band);
-    const Network network = networkOf(assembly);
-    takeHertz(given, network, range);
+    SceneResponse answer = answers::responseAsked(given, assembly);
+    const std::vector<std::int64_t> steps = stepsOf(answer);
     Outputs outputs(given, {"--csv", "--map-csv", "--figure", "--map"});
-    SceneResponse answer = answers::responseOf(assembly, range);
-    answer.yieldStress = yieldStress;
-    const FrequencyOption to(given, "--to", "--to-hertz");
-    const std::vector<std::int64_t> steps =
-        hinting("--to", to.ratio, answers::firstHertz(referenceOf(network)), bar,
-                [&] { return stepsOf(answer); });
     watched(common, "frequencies", [&](const Cancel& cancel, const auto& show) {
         answer.frequencies = shareOut(
             steps, common.threads, [&](std::int64_t n) { return frequencyAt(answer, n, cancel); },

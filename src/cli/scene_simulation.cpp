@@ -38,46 +38,17 @@ void setHistory(const SimulateCommand& command, Question& question)
         command.forceHistory(scales.time, scales.force(), *command.time / scales.time);
 }
 
-/// The harmonic force of the driven node, or the base that shakes.
-void setDrive(const SimulateCommand& command, Question& question)
-{
-    const ForceOptions& force = command.force;
-    if (!command.given.text("--force-file").empty()) {
-        setHistory(command, question);
-        return;
-    }
-    refuseIf(force.amplitude.has_value() != command.frequency.isGiven(),
-             "--amplitude, --frequency: allowed only together");
-    if (!force.amplitude) {
-        refuseIf(force.place || command.periods,
-                 "--force, --periods: allowed only together with --amplitude and --frequency");
-        return;
-    }
-    const Network& network = question.network;
-    const bool hasForce = isExcitable(network, Excited::tip);
-    if (!force.place && hasForce == isExcitable(network, Excited::base)) {
-        refuse("--amplitude", fmt::format("{}", *force.amplitude),
-               "a scene with one word driven (a force [N]) or shaken (a clamp [m]); --force "
-               "tip|base says which of two");
-    }
-    const Excited place = force.place.value_or(hasForce ? Excited::tip : Excited::base);
-    if (place == Excited::tip && force.derivative > 0) {
-        refuse("--amplitude-" + std::string(amplitudeOf(Excited::base, force.derivative)),
-               fmt::format("{}", *force.amplitude), "only for a base that is shaken");
-    }
-    const double first = answers::firstHertz(referenceOf(network));
-    const double ratio = command.frequency.ratioFor(first);
-    question.drive = answers::drivenBy(
-        network, {place, *force.at(ratio * first).amplitude, ratio, command.phase});
-}
-
 Question questionOf(const SimulateCommand& command)
 {
     Question question;
     command.common.requireOwnDamping();
     question.assembly = command.common.assembly();
     question.network = networkOf(question.assembly);
-    setDrive(command, question);
+    if (command.given.has("--force-file")) {
+        setHistory(command, question);
+    } else {
+        question.drive = answers::driveAsked(command.given, question.network);
+    }
     question.duration =
         answers::durationOf(question.network, question.drive, command.time, command.periods);
     return question;

@@ -31,7 +31,6 @@ SimulateCommand::SimulateCommand(const Given& words)
       common(words),
       force(words),
       frequency(words, "--frequency", "--hertz"),
-      phase(words.number("--phase").value_or(0.0)),
       time(words.number("--time")),
       periods(words.whole("--periods"))
 {
@@ -100,8 +99,8 @@ Excitation SimulateCommand::excitation(std::optional<answers::Drive>& drive, con
     if (!drive) {
         return {.stepsPerCrossing = cells};
     }
-    return hinting("--frequency", frequency.ratio, firstHertz(bar), bar, [&] {
-        (void)force.at(drive->frequencyRatio * firstHertz(bar)).scaledAmplitude(bar);
+    return hinting(given, "--frequency", frequency.ratio, answers::firstHertz(bar), bar, [&] {
+        (void)force.at(drive->frequencyRatio * answers::firstHertz(bar)).scaledAmplitude(bar);
         return drive->excitation(bar, cells, "--frequency");
     });
 }
@@ -144,9 +143,7 @@ ExitStatus SimulateCommand::run() const
     const Bar bar = firstMaterial(scene);
     SimulationAnswer asked{.scene = scene, .damping = force.damping()};
     if (force.place) {
-        const double ratio = frequency.ratioFor(firstHertz(bar));
-        asked.drive = answers::Drive{*force.place, *force.at(ratio * firstHertz(bar)).amplitude,
-                                     ratio, phase};
+        asked.drive = answers::driveAsked(given, answers::firstHertz(bar), *force.place);
     }
     Outputs outputs(given, {"--events", "--statistics", "--tip", "--figure", "--state"},
                     {"--from", "--force-file"});

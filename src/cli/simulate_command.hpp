@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "arguments.hpp"
-#include "force_options.hpp"
 #include "given.hpp"
 #include "simulation_answer.hpp"
 
@@ -19,7 +18,6 @@ struct SimulateCommand {
     CommonOptions common;
     ForceOptions force;
     FrequencyOption frequency;
-    double phase;                ///< [rad]
     std::optional<double> time;  ///< [s]
     std::optional<std::int64_t> periods;
     std::vector<double> speeds;                           ///< [m/s], one for each bar

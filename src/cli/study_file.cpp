@@ -8,7 +8,8 @@
 #define TOML_ENABLE_FORMATTERS 0
 #include <toml++/toml.h>
 
-#include "sweep_command.hpp"
+#include "arguments.hpp"
+#include "given.hpp"
 
 namespace signorini::cli {
 
@@ -144,8 +145,10 @@ StudyQuestion studyQuestionOf(const std::string& toml)
         }
         const Given given({"sweep", "", answers::asks::sweep, "", ""}, words);
         try {
-            const SweepCommand command(given);
-            question.cases.push_back({command.question(), *command.force.amplitude});
+            const CommonOptions common(given);
+            question.cases.push_back(
+                {answers::sweepAsked(given, common.scene(), common.usualCells()),
+                 *ForceOptions(given).amplitude});
         } catch (const std::invalid_argument& error) {
             throw std::invalid_argument(given.inOptions(error.what()));
         }

@@ -1,8 +1,8 @@
-#include "sweep_command.hpp"
-
 #include "commands.hpp"
-#include "excited_names.hpp"
+#include "files.hpp"
+#include "given.hpp"
 #include "journal.hpp"
+#include "network.hpp"
 #include "progress.hpp"
 #include "reports.hpp"
 #include "scene_options.hpp"
@@ -44,100 +44,8 @@ std::vector<FrequencyResponse> exactUnder(const SweepRange& sweep)
     return exact;
 }
 
-}  // namespace
-
-SweepCommand::SweepCommand(const Given& words)
-    : given(words),
-      common(words),
-      force(words),
-      frequency(words, "--frequency", "--hertz"),
-      over(words.named("--over", sweptNames).value_or(Swept::frequency))
-{
-}
-
-double SweepCommand::end(const char* option, double otherwise, const Bar& bar) const
-{
-    const std::string twin = fmt::format("{}-hertz", option);
-    if (over == Swept::frequency) {
-        return FrequencyOption(given, option, twin.c_str()).ratioFor(firstHertz(bar), otherwise);
-    }
-    refuseIf(given.has(twin.c_str()), twin, given.text(twin), "only with --over frequency");
-    const char* unit = answers::unitName(over, force.place.value());
-    const std::string text = given.text(option);
-    refuseIf(text.empty(), option, "missing", fmt::format("numbers > 0 [{}]", unit));
-    return parsePositive(option, text, unit) / answers::unitOf(over, force.place.value(), bar);
-}
-
-SweepRange SweepCommand::range(const Scene& scene, const Bar& bar) const
-{
-    force.requirePlace();
-    if (force.amplitude.has_value() == (over == Swept::amplitude)) {
-        refuse("--amplitude", force.amplitude ? fmt::format("{}", *force.amplitude) : "missing",
-               force.amplitude ? "only where another number is varied"
-                               : "finite numbers > 0 [N or m]");
-    }
-    refuseIf(frequency.isGiven() && over == Swept::frequency,
-             "--frequency, --hertz: allowed only where another number is varied: --over");
-    refuseIf(!frequency.isGiven() && over != Swept::frequency, "--frequency", "missing",
-             "numbers > 0 [ω₁]");
-    if (force.ratio && over == Swept::damping) {
-        refuse("--damping", fmt::format("{}", *force.ratio), "only where another number is varied");
-    }
-    if (over == Swept::gap && !(scene.bar.gap > 0.0)) {
-        refuse("--gap", fmt::format("{}", scene.bar.gap), "numbers > 0 [m] with --over gap");
-    }
-    SweepRange range{.over = over,
-                     .least = end("--from", 0.5, bar),
-                     .most = end("--to", 2.0, bar),
-                     .points = given.whole("--points").value_or(101),
-                     .periods = given.whole("--periods").value_or(1000),
-                     .isCarried = !given.has("--rest"),
-                     .cells = static_cast<double>(common.usualCells()),
-                     .place = *force.place,
-                     .frequencyRatio = frequency.ratioFor(firstHertz(bar), 1.0),
-                     .damping = force.damping(),
-                     .stops = stopsOf(scene),
-                     .segments = scene.segments,
-                     .resolution = given.number("--resolve").value_or(0.0) / scales(bar).time};
-    range.amplitude = over == Swept::amplitude ? range.least : force.scaledAmplitude(bar);
-    range.derivative = force.derivative;
-    requireOrder(given, range.least, range.most);
-    return range;
-}
-
-ExitStatus runSweep(const Given& given)
-{
-    return SweepCommand(given).run();
-}
-
-SweepAnswer SweepCommand::question() const
-{
-    const Scene scene = common.scene();
-    const Bar bar = answers::unitsOf(scene);
-    return {range(scene, bar), scene, bar, {}, true, yieldStressOf(given, bar)};
-}
-
-SweepAnswer SweepCommand::question(const Network& network) const
-{
-    common.requireOwnDamping();
-    refuseIf(over == Swept::gap || over == Swept::damping, "--over", name(over),
-             "frequency|amplitude of a scene of several bars");
-    force.requirePlace();
-    Faults faults;
-    requireExcitable(faults, network, *force.place);
-    faults.throwIfAny();
-    const Assembly& assembly = common.assembly();
-    const Bar bar = answers::unitsOf(assembly, network);
-    return {range(bar, bar),
-            bar,
-            bar,
-            {},
-            true,
-            yieldStressOf(given, bar),
-            answers::severalOf(assembly, network)};
-}
-
-std::string SweepCommand::questionOf(const SweepAnswer& answer) const
+/// What a run that is resumed must have asked, on one line.
+std::string questionOf(const Given& given, const CommonOptions& common, const SweepAnswer& answer)
 {
     SweepAnswer asked = answer;
     asked.points.clear();
@@ -147,18 +55,7 @@ std::string SweepCommand::questionOf(const SweepAnswer& answer) const
            (given.has("--up") ? " up" : "") + (given.has("--down") ? " down" : "");
 }
 
-ExitStatus SweepCommand::run() const
-{
-    refuseIf(given.has("--resume") && !given.has("--csv"),
-             "--resume: allowed only together with --csv");
-    if (common.hasScene() && !barOf(common.assembly())) {
-        const Network network = networkOf(common.assembly());
-        return run(question(network), &network);
-    }
-    return run(question(), nullptr);
-}
-
-void SweepCommand::write(const SweepAnswer& answer, const Network* network, Outputs& outputs)
+void write(const SweepAnswer& answer, const Network* network, Outputs& outputs)
 {
     const Bar& bar = answer.bar;
     outputs.put("--csv", writeSweepCsv, answer);
@@ -171,7 +68,9 @@ void SweepCommand::write(const SweepAnswer& answer, const Network* network, Outp
                  [&] { return bifurcationFigure(answer.points, answer.range, bar); });
 }
 
-ExitStatus SweepCommand::run(SweepAnswer answer, const Network* network) const
+/// Follows a bar, or what `network` is.
+ExitStatus follow(const Given& given, const CommonOptions& common, SweepAnswer answer,
+                  const Network* network)
 {
     std::vector<SweepDirection> directions;
     if (given.has("--up") || !given.has("--down")) {
@@ -182,15 +81,16 @@ ExitStatus SweepCommand::run(SweepAnswer answer, const Network* network) const
     }
     Outputs outputs(given, {"--csv", "--figure", "--bifurcation"});
     answer.require(network);  // nothing is written of what is refused
-    const auto [option, from] = typedEnd(given, "--from");
-    if (over == Swept::frequency && answer.range.least >= answers::likelyHertz &&
+    const auto [option, from] = givenEnd(given, "--from");
+    if (answer.range.over == Swept::frequency && answer.range.least >= answers::likelyHertz &&
         option == "--from" && !from.ends_with("Hz")) {
         common.say(fmt::format("--from {0} is {0} ω₁; {0} Hz are --from {0}Hz", from));
     }
     std::optional<Journal> journal;
     watched(common, "values", [&](const Cancel& cancel, const auto& show) {
         if (given.has("--csv")) {
-            journal.emplace(given.text("--csv"), questionOf(answer), given.has("--resume"));
+            journal.emplace(given.text("--csv"), questionOf(given, common, answer),
+                            given.has("--resume"));
         }
         answer.points = sweepThrough(answer.range, network, answer.bar, directions,
                                      journal ? &*journal : nullptr, common.threads,
@@ -208,9 +108,27 @@ ExitStatus SweepCommand::run(SweepAnswer answer, const Network* network) const
         common.say(fmt::format("interrupted; the list is not complete, and no file was written{}",
                                journal ? "; the same call with --resume continues" : ""));
     }
-    network != nullptr ? report(common, answer, common.assembly(), asText(answer))
-                       : report(common, answer, {}, force.ratio);
+    network != nullptr ? report(common, answer, common.assembly(), cli::asText(answer))
+                       : report(common, answer, {}, given.number("--damping"));
     return exitStatusOf(answer.status());
+}
+
+}  // namespace
+
+ExitStatus runSweep(const Given& given)
+{
+    const CommonOptions common(given);
+    refuseIf(given.has("--resume") && !given.has("--csv"),
+             "--resume: allowed only together with --csv");
+    if (common.hasScene() && !barOf(common.assembly())) {
+        const Assembly& assembly = common.assembly();
+        const Network network = networkOf(assembly);
+        common.requireOwnDamping();
+        return follow(given, common,
+                      answers::sweepAsked(given, assembly, network, common.usualCells()), &network);
+    }
+    return follow(given, common, answers::sweepAsked(given, common.scene(), common.usualCells()),
+                  nullptr);
 }
 
 }  // namespace signorini::cli
