@@ -135,8 +135,6 @@ def find(
         without force, as of one bar of several segments, a SceneQuestion.
     """
     asked = gathered(locals(), "target")
-    if energy is not None and energy_ratio is not None:
-        raise ValueError("energy clashes with energy_ratio: allowed one of them")
     where = asked["scene"]
     if (damping is None) != (force is None) and not in_words(scene):
         raise ValueError("damping, force: allowed only together")
@@ -230,13 +228,6 @@ def continuum(*schedule: Steps | str, energy_ratio: float | None = None,
         under gravity, a SceneContinuum, one of SceneContinuumPoint.
     """
     asked = gathered(locals(), "start", "to", "direction", segments_are_bars=True)
-    if (energy is None) == (energy_ratio is None):
-        raise ValueError("energy, energy_ratio: allowed exactly one of them")
-    if (start is not None) != ((to is not None) != (direction is not None)) or (
-            to is not None and direction is not None):
-        raise ValueError("start: allowed only together with one of to and direction")
-    if start is not None and (seed is not None or sample):
-        raise ValueError("seed and sample clash with start: allowed one of them")
     if "words" in asked:
         return continuum_of_bars(asked)
     return _core.continuum(scheduled(asked))

@@ -9,10 +9,7 @@ from ._asking import asks
 from ._core import Bar, Family, Mode, ModeMotion, ModePolytope
 from ._progress import Progress, listener
 from ._tables import Table
-from ._words import Number, Quantity, Steps, bar_of, fraction_of, number, schedule_of, whole
-
-#: Orders and periods that a few seconds list, by number of contacts.
-_USUAL = {1: (25, 8.0), 2: (25, 8.0), 3: (9, 12.0), 4: (5, 16.0)}
+from ._words import Number, Quantity, Steps, bar_of, fraction_of, number, schedule_of
 
 
 def _table(answer: dict[str, Any]) -> Table[Any]:
@@ -65,11 +62,8 @@ def modes(*, phases: int = 1, max_order: int | None = None,
     Table of Mode, or of ModePolytope with several contacts
         By ascending order.
     """
-    order, period = _USUAL.get(whole("phases", phases), (3, 20.0))
     return _table(_core.modes(
-        {**locals(), "bar": bar_of(bar, bar_options), "progress": listener(progress),
-         "max_order": order if max_order is None else max_order,
-         "max_period_ratio": period if max_period is None else max_period}))
+        {**locals(), "bar": bar_of(bar, bar_options), "progress": listener(progress)}))
 
 
 @asks("mode")

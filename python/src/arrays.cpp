@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "faults.hpp"
 #include "units.hpp"
@@ -43,22 +44,27 @@ Numbers numbersOf(const py::object& given, const char* name)
         fmt::format("{} = {}: allowed real numbers", name, py::cast<std::string>(shown)));
 }
 
-std::vector<const Option*> optionsNamed(const std::string& argument)
+const std::vector<const Option*>& optionsNamed(std::string_view argument)
 {
-    std::string option = argument.starts_with("--") ? argument : "--" + argument;
+    static std::map<std::string, std::vector<const Option*>, std::less<>> all;
+    const auto known = all.find(argument);
+    if (known != all.end()) {
+        return known->second;
+    }
+    std::string option = (argument.starts_with("--") ? "" : "--") + std::string(argument);
     std::replace(option.begin(), option.end(), '_', '-');
-    std::vector<const Option*> rows;
-    for (const Option& known : options()) {
-        if (known.name == option && known.takes != Takes::file) {
-            rows.push_back(&known);
+    std::vector<const Option*>& rows = all[std::string(argument)];
+    for (const Option& row : options()) {
+        if (row.name == option && row.takes != Takes::file) {
+            rows.push_back(&row);
         }
     }
     return rows;
 }
 
-std::string unitOfOption(const std::string& name)
+std::string unitOfOption(std::string_view name)
 {
-    const auto rows = optionsNamed(name);
+    const auto& rows = optionsNamed(name);
     return rows.empty() ? "-" : std::string(rows.front()->unit);
 }
 

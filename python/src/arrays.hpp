@@ -26,10 +26,10 @@ using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Quantity = std::variant<double, std::string>;
 
 /// The program's options that are called as an argument is.
-[[nodiscard]] std::vector<const Option*> optionsNamed(const std::string& argument);
+[[nodiscard]] const std::vector<const Option*>& optionsNamed(std::string_view argument);
 
 /// In which the program takes such an option; "-" if there is none.
-[[nodiscard]] std::string unitOfOption(const std::string& name);
+[[nodiscard]] std::string unitOfOption(std::string_view name);
 
 /// Of an argument, in that unit.
 /// \throws std::invalid_argument naming the argument

@@ -139,18 +139,9 @@ void addAtlasFile(py::module_& module)
 
 AtlasRun build(const Asked& asked)
 {
-    AtlasRange range =
-        asked.has("words")
-            ? atlasRangeOf(asked.assembly())
-            : atlasRangeOf(asked.scene(),
-                           asked.maybe<std::int64_t>("cells").value_or(Schedule().cells));
-    asked.read("--max-contact", range.maxContact);
-    asked.read("--max-free", range.maxFree);
-    range.maxPhases = asked.get<std::int64_t>("phases");
-    asked.read("--max-energy-ratio", range.maxEnergyRatio);
-    range.keepsRefuted = asked.get<bool>("all");
-    range.familiesOnly = asked.get<bool>("families_only");
-    validate(range);
+    const AtlasRange range =
+        atlasAsked(asked, asked.has("words") ? atlasRangeOf(asked.assembly())
+                                             : atlasRangeOf(asked.scene(), asked.cells()));
     const auto path = asked.get<std::string>("path");
     AtlasOptions options{.threads = asked.get<std::int64_t>("threads"),
                          .resume = asked.get<bool>("resume"),

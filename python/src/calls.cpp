@@ -48,31 +48,32 @@ void Asked::refuseKind(std::string_view name, const char* kind) const
 
 void Asked::requireFits(std::string_view name, double value) const
 {
-    static std::map<std::string, std::vector<const Option*>, std::less<>> known;
-    auto rows = known.find(name);
-    if (rows == known.end()) {
-        rows = known.emplace(name, optionsNamed(std::string(name))).first;
-        std::erase_if(rows->second, [](const Option* row) {
-            return row->takes != Takes::whole && row->takes != Takes::positive &&
-                   row->takes != Takes::range && row->takes != Takes::real;
-        });
+    const Option* wrong = nullptr;
+    for (const Option* row : optionsNamed(name)) {
+        if (row->takes == Takes::whole || row->takes == Takes::positive ||
+            row->takes == Takes::range || row->takes == Takes::real) {
+            if (row->fits(value)) {
+                return;
+            }
+            wrong = wrong == nullptr ? row : wrong;
+        }
     }
-    const auto fits = [value](const Option* row) { return row->fits(value); };
-    if (!rows->second.empty() && std::none_of(rows->second.begin(), rows->second.end(), fits)) {
-        throwFault(name, value, rows->second.front()->allowed());
+    if (wrong != nullptr) {
+        throwFault(name, value, wrong->allowed());
     }
 }
 
 bool Asked::has(std::string_view name) const
 {
-    const py::object held = object(name);
-    return !held.is_none() && held.ptr() != Py_False;
+    const auto& rows = optionsNamed(name);
+    const bool isFlag = !rows.empty() && rows.front()->takes == Takes::nothing;
+    return isFlag ? maybe<bool>(name).value_or(false) : !object(name).is_none();
 }
 
 std::string Asked::text(std::string_view option) const
 {
     const py::object held = object(option);
-    const auto rows = optionsNamed(std::string(option));
+    const auto& rows = optionsNamed(option);
     const bool isNumber = std::any_of(rows.begin(), rows.end(), [](const Option* row) {
         return row->takes != Takes::choice && (row->takes != Takes::text || row->unit != "-");
     });
@@ -104,19 +105,6 @@ Assembly assemblyIn(const std::string& words, const Bar& bar, double gravity)
 Assembly Asked::assembly() const
 {
     return assemblyIn(get<std::string>("words"), scene().bar, get<double>("gravity"));
-}
-
-std::optional<double> Asked::energyRatio(const Bar& bar) const
-{
-    const auto energy = maybe<double>("energy");
-    if (!energy) {
-        return maybe<double>("energy_ratio");
-    }
-    const double ratio = *energy / scales(bar).energy;
-    if (!std::isfinite(ratio)) {
-        throwFault("energy", *energy, "what is finite in E_1");
-    }
-    return ratio;
 }
 
 Schedule Asked::schedule() const

@@ -64,8 +64,8 @@ public:
         }
         if constexpr (std::is_same_v<T, double>) {
             if (py::isinstance<py::str>(held)) {
-                const double value = quantityOf(nameOf(name), py::cast<std::string>(held),
-                                                unitOfOption(std::string(name)));
+                const double value =
+                    quantityOf(nameOf(name), py::cast<std::string>(held), unitOfOption(name));
                 requireFits(name, value);
                 return value;
             }
@@ -95,8 +95,6 @@ public:
     [[nodiscard]] Scene scene() const { return get<Scene>("scene"); }
     /// A whole one, or its phases, and "cells".
     [[nodiscard]] Schedule schedule() const;
-    /// Of "energy" or "energy_ratio", if one is given.
-    [[nodiscard]] std::optional<double> energyRatio(const Bar& bar) const;
     [[nodiscard]] Damping damping() const { return {number("--damping").value_or(0.0)}; }
     /// Of "words", with the scales of "scene" and "gravity". \throws std::invalid_argument.
     [[nodiscard]] Assembly assembly() const;
@@ -109,16 +107,6 @@ public:
     {
         return answers::inOptions(message, questions,
                                   [this](std::string_view name) { return text(name); });
-    }
-
-    /// How a curve is traced, of any bars.
-    template <typename Options>
-    void readCurve(Options& options) const
-    {
-        options.points = get<std::int64_t>("points");
-        options.solver = solverOfEngine(get<std::string>("engine"));
-        options.resolution = get<double>("resolution");
-        options.tolerance = get<double>("tolerance");
     }
 
 private:

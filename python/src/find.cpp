@@ -54,34 +54,13 @@ bool isQuick(const Schedule& schedule, const FindOptions& options)
            std::isinf(options.strainLimit) && std::isinf(options.tipFloor);
 }
 
-/// How a motion of any bars is looked for.
-FindOptions optionsOf(const Asked& asked)
-{
-    FindOptions options;
-    options.solver = asked.get<std::string>("solver");
-    options.objective = asked.named("--objective", objectiveNames).value_or(options.objective);
-    options.tolerance = asked.get<double>("tolerance");
-    asked.read("--time-limit", options.timeLimit);
-    return options;
-}
-
 /// A search for motions of one bar, the same for each schedule.
 struct Search {
     FindOptions options;
     std::string how = {};  ///< what the target is
 
-    explicit Search(const Asked& asked) : options(optionsOf(asked))
+    explicit Search(const Asked& asked) : options(findAsked(asked, asked.scene()))
     {
-        options.scene = asked.scene();
-        const Bar units = unitsOf(options.scene);
-        const Scales scale = scales(units);
-        options.formulation =
-            asked.named("--formulation", formulationNames).value_or(options.formulation);
-        options.energyRatio = asked.energyRatio(units);
-        asked.read("--strain-limit", options.strainLimit);
-        options.strainLimit /= scale.strain;
-        asked.read("--tip-floor", options.tipFloor);
-        options.tipFloor /= scale.displacement;
         if (const auto target = asked.maybe<StateOf>("target")) {
             how = fmt::format("a state of {} cells", target->value->cells());
             options.target = *target->value;
@@ -153,32 +132,14 @@ void addCurve(py::module_& module)
         .draws([](const ContinuumAnswer& c) { return continuumFigure(*c.curve); });
 }
 
-Trace traceOf(const Asked& asked)
-{
-    const auto start = asked.maybe<StateOf>("start");
-    const auto to = asked.maybe<StateOf>("to");
-    const auto direction = asked.maybe<StateOf>("direction");
-    const auto seed = asked.maybe<std::uint64_t>("seed");
-    if (!start) {
-        return asked.get<bool>("sample") ? Trace(trace::Sample{seed.value_or(trace::Sample{}.seed)})
-               : seed                    ? Trace(trace::RandomPath{*seed})
-                                         : Trace(trace::SplitPulse{});
-    }
-    if (to) {
-        return trace::Path{*start->value, *to->value};
-    }
-    return trace::Walk{*start->value, *direction->value};
-}
-
 ContinuumAnswer continuum(const Asked& asked)
 {
     const Schedule schedule = asked.schedule();
-    ContinuumOptions options;
-    options.scene = asked.scene();
-    const double ratio = asked.energyRatio(options.scene.bar).value();
-    asked.readCurve(options);
-    options.trace = traceOf(asked);
-    asked.read("--strain-limit", options.strainLimit);
+    requireCurve(asked);
+    const Scene scene = asked.scene();
+    const double ratio = energyAsked(asked, scene.bar).value();
+    const ContinuumOptions options = continuumAsked(
+        asked, scene, [&](const char* option) { return *asked.get<StateOf>(option).value; });
     return patiently(asked, [=](const Wires& wires) {
         return ContinuumAnswer{
             std::make_shared<const Continuum>(traceContinuum(schedule, ratio, wires.on(options)))};
@@ -198,23 +159,18 @@ struct AskedBars {
             schedule = spansOf(py::cast<std::vector<std::string>>(asked.object("steps")),
                                network.contacts.size());
         }
-        limitStrain(network, assembly, asked.maybe<double>("strain_limit"));
+        limitStrain(network, assembly, asked.number("--strain-limit"));
     }
     [[nodiscard]] std::vector<double> wavesIn(const std::string& file) const
     {
         return readNearestWaves(file, network, barOf(assembly));
-    }
-    [[nodiscard]] std::optional<double> energy(const Asked& asked) const
-    {
-        return heldEnergy(network, asked.maybe<double>("energy"),
-                          asked.maybe<double>("energy_ratio"));
     }
 };
 
 /// What is asked of a motion of them.
 NetworkWish wishOf(const Asked& asked, const AskedBars& of, Objective objective)
 {
-    NetworkWish wish{.objective = objective, .energy = of.energy(asked)};
+    NetworkWish wish{.objective = objective, .energy = energyAsked(asked, of.network)};
     if (const auto file = asked.maybe<std::string>("target")) {
         wish.target = of.wavesIn(*file);
     }
@@ -224,7 +180,7 @@ NetworkWish wishOf(const Asked& asked, const AskedBars& of, Objective objective)
 SceneFindAnswer findInBars(const Asked& asked)
 {
     const AskedBars of(asked);
-    const FindOptions options = optionsOf(asked);
+    const FindOptions options = searchAsked(asked);
     const NetworkWish wish = wishOf(asked, of, options.objective);
     return findPatiently(asked, stepsOf(of.schedule), [=](const Wires& wires) {
         return answerOf(of.assembly, of.network, of.schedule, wish, wires.on(options));
@@ -235,7 +191,7 @@ SceneQuestionAnswer findPeriodInBars(const Asked& asked)
 {
     const AskedBars of(asked);
     const std::int64_t steps = stepsAsked(asked, of.assembly, 1);
-    const FindOptions options = optionsOf(asked);
+    const FindOptions options = searchAsked(asked);
     const NetworkWish wish = wishOf(asked, of, options.objective);
     return findPatiently(asked, steps, [=](const Wires& wires) {
         return questionOf(of.assembly, of.network, steps, wish, wires.on(options), wires.progress);
@@ -269,14 +225,10 @@ std::optional<std::vector<double>> wavesOf(const Asked& asked, const char* name,
 SceneContinuumAnswer continuumInBars(const Asked& asked)
 {
     const AskedBars of(asked);
-    const double energy = of.energy(asked).value();
-    NetworkCurveOptions options;
-    asked.readCurve(options);
-    options.from = wavesOf(asked, "start", of);
-    options.to = wavesOf(asked, "to", of);
-    options.direction = wavesOf(asked, "direction", of);
-    options.isSample = asked.get<bool>("sample");
-    options.seed = asked.maybe<std::uint64_t>("seed").value_or(options.seed);
+    requireCurve(asked);
+    const double energy = energyAsked(asked, of.network).value();
+    const NetworkCurveOptions options =
+        continuumAsked(asked, [&](const char* option) { return wavesOf(asked, option, of); });
     return patiently(asked, [=](const Wires& wires) {
         return continuumOf(of.assembly, of.network, of.schedule, energy, wires.on(options));
     });

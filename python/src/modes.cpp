@@ -91,12 +91,9 @@ py::dict families(const Asked& asked)
 py::dict modes(const Asked& asked)
 {
     const Bar bar = barAtRest(asked);
-    const auto gravity = asked.get<double>("gravity");
+    const double gravity = asked.get<double>("gravity");
     const auto phases = asked.get<std::int64_t>("phases");
-    const ModeBounds bounds{.maxOrder = asked.get<std::int64_t>("max_order"),
-                            .maxPeriod = asked.get<double>("max_period_ratio"),
-                            .maxEnergyRatio = asked.get<double>("max_energy_ratio"),
-                            .gapSign = phases == 1 ? gapSignOfModes(bar) : stopsOf(bar).right};
+    const ModeBounds bounds = modesAsked(asked, phases, bar);
     if (phases == 1) {
         return dictionaryOf(patiently(asked, [=](const Wires& wires) {
             return ModeList{bounds, bar, findModes(wires.on(bounds)), true, gravity};

@@ -44,6 +44,20 @@ AtlasRange atlasRangeOf(const Assembly& bars)
     return range;
 }
 
+AtlasRange atlasAsked(const Call& call, AtlasRange usual)
+{
+    call.read("--max-contact", usual.maxContact);
+    call.read("--max-free", usual.maxFree);
+    call.read("--phases", usual.maxPhases);
+    call.read("--max-energy-ratio", usual.maxEnergyRatio);
+    usual.keepsRefuted = call.has("--all");
+    usual.familiesOnly = call.has("--families-only");
+    refuseIf(usual.keepsRefuted && usual.familiesOnly,
+             "--all, --families-only: allowed one of them");
+    validate(usual);
+    return usual;
+}
+
 void validate(const AtlasPoint& point)
 {
     if (!std::isfinite(point.units.frequency) || !point.units.isRatio) {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 
+#include "call.hpp"
 #include "family_section.hpp"
 #include "scene_find_answer.hpp"
 #include "signorini/atlas.hpp"
@@ -30,6 +31,9 @@ struct AtlasUnits {
 /// scene.
 [[nodiscard]] AtlasRange atlasRangeOf(const Scene& scene, std::int64_t cells);
 [[nodiscard]] AtlasRange atlasRangeOf(const Assembly& bars);
+
+/// The range that a call asks for, what is usual being so. \throws std::invalid_argument
+[[nodiscard]] AtlasRange atlasAsked(const Call& call, AtlasRange usual);
 
 /// A row, or a group of them.
 template <typename T>

@@ -115,6 +115,12 @@ std::optional<double> yieldStressOf(const Call& call, const Bar& bar)
     return yieldStress;
 }
 
+void requireOneEnergy(const Call& call)
+{
+    refuseIf(call.has("--energy") && call.has("--energy-ratio"),
+             "--energy clashes with --energy-ratio: allowed one of them");
+}
+
 FrequencyOption::FrequencyOption(const Call& call, const char* name, const char* twin)
     : hertz(call.number(twin))
 {

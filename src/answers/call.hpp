@@ -125,6 +125,9 @@ struct ForceOptions {
     [[nodiscard]] ForceOptions at(double hertz) const;
 };
 
+/// Of --energy and --energy-ratio at most one. \throws std::invalid_argument
+void requireOneEnergy(const Call& call);
+
 /// --yield-stress [Pa]. \throws std::invalid_argument where strains are not known as stresses.
 [[nodiscard]] std::optional<double> yieldStressOf(const Call& call, const Bar& bar);
 

@@ -2,14 +2,32 @@
 /// \file
 /// Curves of motions of one schedule and one energy.
 
+#include <functional>
 #include <memory>
 #include <string>
 
+#include "call.hpp"
 #include "engine_names.hpp"
 #include "parts.hpp"
 #include "signorini/continuum.hpp"
 
 namespace signorini::answers {
+
+/// --energy or --energy-ratio, and ends that go together. \throws std::invalid_argument
+void requireCurve(const Call& call);
+/// How a curve is traced, of any bars. \throws std::invalid_argument
+void readCurve(const Call& call, auto& options)
+{
+    call.read("--points", options.points);
+    if (call.has("--engine")) {
+        options.solver = solverOfEngine(call.text("--engine"), call.called("--engine"));
+    }
+    call.read("--resolution", options.resolution);
+    call.read("--tolerance", options.tolerance);
+}
+/// What is asked of a uniform bar, and the state that is meant by one of --from, --to, --direction.
+[[nodiscard]] ContinuumOptions continuumAsked(
+    const Call& call, const Scene& scene, const std::function<State(const char* option)>& stateOf);
 
 /// One motion of a curve, which it keeps alive.
 struct PointOf {

@@ -5,11 +5,53 @@
 
 #include "arrivals.hpp"
 #include "contact_spans.hpp"
+#include "demand_names.hpp"
 #include "faults.hpp"
 #include "near_schedule.hpp"
 #include "stepped_bar.hpp"
 
 namespace signorini::answers {
+
+FindOptions searchAsked(const Call& call)
+{
+    FindOptions options;
+    options.solver = call.has("--solver") ? call.text("--solver") : options.solver;
+    options.objective = call.named("--objective", objectiveNames).value_or(options.objective);
+    call.read("--tolerance", options.tolerance);
+    call.read("--time-limit", options.timeLimit);
+    return options;
+}
+
+FindOptions findAsked(const Call& call, const Scene& scene)
+{
+    FindOptions options = searchAsked(call);
+    const Bar units = unitsOf(scene);
+    options.scene = scene;
+    options.formulation =
+        call.named("--formulation", formulationNames).value_or(options.formulation);
+    options.energyRatio = energyAsked(call, units);
+    call.read("--strain-limit", options.strainLimit);
+    options.strainLimit /= scales(units).strain;
+    call.read("--tip-floor", options.tipFloor);
+    if (std::isfinite(options.tipFloor) && !(options.tipFloor < scene.bar.gap)) {
+        refuse("--tip-floor", fmt::format("{}", options.tipFloor), "below the gap [m]");
+    }
+    options.tipFloor /= scales(scene.bar).displacement;
+    return options;
+}
+
+std::optional<double> energyAsked(const Call& call, const Bar& bar)
+{
+    requireOneEnergy(call);
+    const auto energy = call.number("--energy");
+    if (!energy) {
+        return call.number("--energy-ratio");
+    }
+    const double ratio = *energy / scales(bar).energy;
+    refuseIf(!std::isfinite(ratio), "--energy", fmt::format("{}", *energy),
+             "what is finite in E_1");
+    return ratio;
+}
 
 Bar unitsOf(const Scene& scene)
 {

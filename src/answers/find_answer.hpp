@@ -4,11 +4,21 @@
 
 #include <string>
 
+#include "call.hpp"
 #include "parts.hpp"
 #include "proofs.hpp"
 #include "signorini/response.hpp"
 
 namespace signorini::answers {
+
+/// How a call has a motion looked for: --solver, --objective, --tolerance, --time-limit.
+[[nodiscard]] FindOptions searchAsked(const Call& call);
+/// The same of one bar with what is demanded of it but a target.
+/// \throws std::invalid_argument on demands that do not go together.
+[[nodiscard]] FindOptions findAsked(const Call& call, const Scene& scene);
+/// E/E_1 that --energy or --energy-ratio asks for, if one does. \throws std::invalid_argument where
+/// that is not finite.
+[[nodiscard]] std::optional<double> energyAsked(const Call& call, const Bar& bar);
 
 /// What a motion was to be near.
 struct Target {

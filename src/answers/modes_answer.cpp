@@ -1,5 +1,8 @@
 #include "modes_answer.hpp"
 
+#include <algorithm>
+#include <array>
+
 #include "faults.hpp"
 
 namespace signorini::answers {
@@ -12,6 +15,23 @@ int gapSignOfModes(const Bar& bar)
                    "families lists");
     }
     return bar.gap > 0.0 ? 1 : -1;
+}
+
+ModeBounds modesAsked(const Call& call, std::int64_t phases, const Bar& bar)
+{
+    constexpr std::array<std::int64_t, maxPolytopePhases> orders{25, 25, 9, 5, 3};
+    const auto index = std::clamp<std::int64_t>(phases, 1, maxPolytopePhases) - 1;
+    ModeBounds bounds{.maxOrder = orders.at(static_cast<std::size_t>(index)),
+                      .maxPeriod = std::max(8.0, 4.0 * static_cast<double>(phases)),
+                      .gapSign = phases == 1 ? gapSignOfModes(bar) : stopsOf(bar).right};
+    call.read("--max-order", bounds.maxOrder);
+    if (phases > 1 && bounds.maxOrder > maxPolytopeOrder) {
+        refuse("--max-order", fmt::format("{}", bounds.maxOrder),
+               fmt::format("whole numbers 1..{} with several contacts", maxPolytopeOrder));
+    }
+    call.read("--max-period", bounds.maxPeriod);
+    call.read("--max-energy-ratio", bounds.maxEnergyRatio);
+    return bounds;
 }
 
 ModeAnswer motionOf(const Mode& mode, const Bar& bar, double period, double gravity)

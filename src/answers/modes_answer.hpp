@@ -67,6 +67,10 @@ struct PolytopeList {
 /// periods then.
 [[nodiscard]] int gapSignOfModes(const Bar& bar);
 
+/// Which modes, or with several contacts polytopes, a call asks for: without bounds those that a
+/// few seconds list. \throws std::invalid_argument as gapSignOfModes, and on a larger order.
+[[nodiscard]] ModeBounds modesAsked(const Call& call, std::int64_t phases, const Bar& bar);
+
 /// (p, q) of the contact time p + q T [L/c], of a polytope that of all contacts together.
 [[nodiscard]] std::tuple<std::int64_t, std::int64_t> contactOf(const Mode& mode);
 [[nodiscard]] std::tuple<std::int64_t, std::int64_t> contactOf(const ModePolytope& polytope);

@@ -2,6 +2,21 @@
 
 namespace signorini::answers {
 
+NetworkCurveOptions continuumAsked(
+    const Call& call,
+    const std::function<std::optional<std::vector<double>>(const char* option)>& wavesOf)
+{
+    NetworkCurveOptions options;
+    options.from = wavesOf("--from");
+    options.to = wavesOf("--to");
+    options.direction = wavesOf("--direction");
+    options.isSample = call.has("--sample");
+    options.seed = static_cast<std::uint64_t>(
+        call.whole("--seed").value_or(static_cast<std::int64_t>(options.seed)));
+    readCurve(call, options);
+    return options;
+}
+
 std::vector<SceneCurvePoint> SceneContinuumAnswer::points() const
 {
     std::vector<SceneCurvePoint> all;

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "engine_names.hpp"
+#include "continuum_answer.hpp"
 #include "network_continuum.hpp"
 #include "scene_find_answer.hpp"
 
@@ -15,6 +15,11 @@ struct SceneCurve {
     SceneSchedule schedule;
     NetworkContinuum curve;
 };
+
+/// What is asked of bars, and the waves that are meant by --from, --to, --direction, if any are.
+[[nodiscard]] NetworkCurveOptions continuumAsked(
+    const Call& call,
+    const std::function<std::optional<std::vector<double>>(const char* option)>& wavesOf);
 
 /// One motion of a curve, which it keeps alive.
 struct SceneCurvePoint {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "call.hpp"
 #include "disturbed.hpp"
 #include "network_find.hpp"
 #include "network_forced.hpp"
@@ -14,6 +15,14 @@ namespace signorini::answers {
 
 template <>
 inline constexpr bool isDictionary<ContactSpan> = true;
+
+/// What --energy or --energy-ratio asks for, in units of the network, if one does.
+/// \throws std::invalid_argument on both, and as heldEnergy.
+[[nodiscard]] inline std::optional<double> energyAsked(const Call& call, const Network& network)
+{
+    requireOneEnergy(call);
+    return heldEnergy(network, call.number("--energy"), call.number("--energy-ratio"));
+}
 
 /// A schedule of bars, and what gives its answers units.
 struct SceneSchedule {

@@ -83,7 +83,6 @@ struct AtlasCommand {
 
 private:
     [[nodiscard]] bool isQuery() const;
-    [[nodiscard]] AtlasRange range() const;
     [[nodiscard]] AtlasRange usualRangeOfScene() const;
     /// Whose scales the answers have.
     [[nodiscard]] Bar bar() const;
@@ -115,21 +114,6 @@ AtlasCommand::AtlasCommand(const Given& words)
 bool AtlasCommand::isQuery() const
 {
     return given.has("--near") || period || given.has("--twins");
-}
-
-AtlasRange AtlasCommand::range() const
-{
-    AtlasRange range = usualRangeOfScene();
-    range.maxContact = given.whole("--max-contact").value_or(range.maxContact);
-    range.maxFree = given.whole("--max-free").value_or(range.maxFree);
-    range.maxPhases = given.whole("--phases").value_or(range.maxPhases);
-    range.maxEnergyRatio = given.number("--max-energy-ratio").value_or(range.maxEnergyRatio);
-    range.keepsRefuted = given.has("--all");
-    range.familiesOnly = given.has("--families-only");
-    refuseIf(range.keepsRefuted && range.familiesOnly,
-             "--all, --families-only: allowed one of them");
-    validate(range);
-    return range;
 }
 
 AtlasRange AtlasCommand::usualRangeOfScene() const
@@ -183,7 +167,7 @@ ExitStatus AtlasCommand::run() const
             checkQuery();
             return !ranks || ranks->rank() == 0 ? answer() : exitFound;
         }
-        return build(range(), ranks.get(), interrupt);
+        return build(answers::atlasAsked(given, usualRangeOfScene()), ranks.get(), interrupt);
     } catch (const std::invalid_argument&) {
         if (ranks && ranks->rank() != 0) {
             return exitWrongUse;

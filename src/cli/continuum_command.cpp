@@ -19,60 +19,6 @@ namespace signorini::cli {
 
 namespace {
 
-constexpr std::int64_t maxSeed = std::int64_t{1} << 62;
-
-/// [E_1], whichever way it was given.
-double energyOf(const Given& given, const Bar& bar)
-{
-    const auto energy = given.number("--energy");
-    const auto energyRatio = given.number("--energy-ratio");
-    requireEnergy(energy, energyRatio);
-    return energy ? *energy / scales(bar).energy : *energyRatio;
-}
-
-/// Which ends go together, and with what.
-void requireEnds(const Given& given)
-{
-    const int ends = (given.has("--to") ? 1 : 0) + (given.has("--direction") ? 1 : 0);
-    refuseIf((given.has("--from") ? 1 : 0) != ends,
-             "--from: allowed only together with one of --to and --direction");
-    refuseIf(ends != 0 && (given.has("--seed") || given.has("--sample")),
-             "--seed and --sample clash with --from: allowed one of them");
-}
-
-Trace traceOf(const Given& given, const Bar& bar, std::int64_t cells)
-{
-    const std::optional<std::int64_t> seed = given.whole("--seed");
-    const auto seedOr = [&seed](std::uint64_t usual) {
-        return seed ? static_cast<std::uint64_t>(*seed) : usual;
-    };
-    if (!given.has("--from")) {
-        return given.has("--sample") ? Trace(trace::Sample{seedOr(trace::Sample{}.seed)})
-               : seed                ? Trace(trace::RandomPath{seedOr(0)})
-                                     : Trace(trace::SplitPulse{});
-    }
-    const auto read = [&](const char* option) {
-        const std::string path = given.text(option);
-        return forFile(option, path, [&] { return readState(path, bar, cells).state; });
-    };
-    State from = read("--from");
-    if (given.has("--to")) {
-        return trace::Path{std::move(from), read("--to")};
-    }
-    return trace::Walk{std::move(from), read("--direction")};
-}
-
-/// The options with what needs several of them.
-ContinuumOptions optionsOf(const Given& given, const CommonOptions& common)
-{
-    ContinuumOptions options;
-    options.scene = common.scene();
-    options.trace = traceOf(given, options.scene.bar, common.usualCells());
-    readCurve(given, options);
-    options.strainLimit = given.number("--strain-limit").value_or(options.strainLimit);
-    return options;
-}
-
 /// Of the member that is compressed most.
 void warnOfWorst(const CommonOptions& common, const Continuum& curve)
 {
@@ -87,25 +33,23 @@ void warnOfWorst(const CommonOptions& common, const Continuum& curve)
 
 }  // namespace
 
-void requireEnergy(const std::optional<double>& energy, const std::optional<double>& energyRatio)
-{
-    refuseIf(energy && energyRatio, "--energy clashes with --energy-ratio: allowed one of them");
-    refuseIf(!energy && !energyRatio,
-             "--energy-ratio is missing: allowed finite numbers > 0 [E_1], or --energy in joules");
-}
-
 ExitStatus runContinuum(const Given& given)
 {
     const CommonOptions common(given);
-    requireEnds(given);
+    answers::requireCurve(given);
     refuseIf(given.has("--member") != given.has("--state"),
              "--member and --state: allowed both or neither");
     if (const auto assembly = barsOf(given, common)) {
         return continuumInBars(given, common, *assembly);
     }
     Schedule schedule{common.usualCells(), parsePhases(given.words())};
-    ContinuumOptions request = optionsOf(given, common);
-    const double ratio = energyOf(given, request.scene.bar);
+    const Scene scene = common.scene();
+    ContinuumOptions request = answers::continuumAsked(given, scene, [&](const char* option) {
+        const std::string path = given.text(option);
+        return forFile(option, path,
+                       [&] { return readState(path, scene.bar, common.usualCells()).state; });
+    });
+    const double ratio = answers::energyAsked(given, scene.bar).value();
     schedule.stops = stopsOf(request.scene);
     validate(schedule);
     Outputs outputs(given, {"--csv", "--state", "--figure", "--animate"});

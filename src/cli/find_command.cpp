@@ -30,19 +30,8 @@ namespace {
 
 FindRequest completed(const FindCommand& call)
 {
-    FindRequest request{call.options, {}};
+    FindRequest request{answers::findAsked(call.given, call.common.scene()), {}};
     FindOptions& options = request.options;
-    options.scene = call.common.scene();
-    if (const auto energy = call.given.number("--energy")) {
-        refuseIf(options.energyRatio.has_value(),
-                 "--energy clashes with --energy-ratio: allowed one of them");
-        options.energyRatio = *energy / scales(firstMaterial(options.scene)).energy;
-    }
-    options.strainLimit /= scales(firstMaterial(options.scene)).strain;
-    if (std::isfinite(options.tipFloor) && !(options.tipFloor < options.scene.bar.gap)) {
-        refuse("--tip-floor", fmt::format("{}", options.tipFloor), "below the gap [m]");
-    }
-    options.tipFloor /= scales(options.scene.bar).displacement;
     const std::string target = call.given.text("--target");
     requireTarget(options, target);
     if (!target.empty()) {
@@ -114,22 +103,9 @@ FindCommand::FindCommand(const Given& words)
       common(words),
       force(words),
       cycles(words.whole("--cycles").value_or(1)),
+      options(answers::searchAsked(words)),
       yieldStress(words.number("--yield-stress"))
 {
-    const auto set = [&words](const char* option, double& value) {
-        value = words.number(option).value_or(value);
-    };
-    if (given.has("--solver")) {
-        options.solver = given.text("--solver");
-    }
-    options.formulation =
-        given.named("--formulation", formulationNames).value_or(options.formulation);
-    options.objective = given.named("--objective", objectiveNames).value_or(options.objective);
-    options.energyRatio = given.number("--energy-ratio");
-    set("--strain-limit", options.strainLimit);
-    set("--tip-floor", options.tipFloor);
-    set("--tolerance", options.tolerance);
-    set("--time-limit", options.timeLimit);
 }
 
 void FindCommand::warn(const Physical& physical) const

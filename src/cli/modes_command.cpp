@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "files.hpp"
 #include "given.hpp"
@@ -13,35 +12,14 @@
 
 namespace signorini::cli {
 
-namespace {
-
-/// Orders that a few seconds list, by number of contacts.
-std::int64_t usualOrder(std::int64_t phases)
-{
-    constexpr std::array<std::int64_t, maxPolytopePhases> orders{25, 25, 9, 5, 3};
-    return orders[static_cast<std::size_t>(phases - 1)];
-}
-
-}  // namespace
-
 ExitStatus runModes(const Given& given)
 {
     const CommonOptions common(given);
     const std::int64_t phases = given.whole("--phases").value_or(1);
-    const auto maxOrder = given.whole("--max-order");
     // Several contacts are known for a gap > 0.
     const Bar bar = phases == 1 ? common.barOfAnyGap() : common.bar();
-    if (phases > 1 && maxOrder && *maxOrder > maxPolytopeOrder) {
-        refuse("--max-order", fmt::format("{}", *maxOrder),
-               fmt::format("whole numbers 1..{} with several contacts", maxPolytopeOrder));
-    }
-    ModeBounds all;
-    all.maxEnergyRatio = given.number("--max-energy-ratio").value_or(all.maxEnergyRatio);
-    all.maxOrder = maxOrder.value_or(usualOrder(phases));
-    all.maxPeriod =
-        given.number("--max-period").value_or(std::max(8.0, 4.0 * static_cast<double>(phases)));
     common.requireGap(bar, bar.gap != 0.0);
-    all.gapSign = answers::gapSignOfModes(bar);
+    ModeBounds all = answers::modesAsked(given, phases, bar);
     FrequencyEnergyOptions drawing;
     if (given.has("--figure")) {
         refuseIf(bar.gap < 0.0,

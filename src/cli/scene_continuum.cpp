@@ -32,26 +32,6 @@ std::optional<Assembly> barsOf(const Given& given, const CommonOptions& common)
 
 namespace {
 
-NetworkCurveOptions curveOf(const Given& given, const Assembly& assembly, const Network& network)
-{
-    NetworkCurveOptions options;
-    const auto read = [&](const char* option, std::optional<std::vector<double>>& waves) {
-        if (const std::string path = given.text(option); !path.empty()) {
-            waves = forFile(option, path,
-                            [&] { return readNearestWaves(path, network, barOf(assembly)); });
-        }
-    };
-    read("--from", options.from);
-    read("--to", options.to);
-    read("--direction", options.direction);
-    options.isSample = given.has("--sample");
-    if (const auto seed = given.whole("--seed")) {
-        options.seed = static_cast<std::uint64_t>(*seed);
-    }
-    readCurve(given, options);
-    return options;
-}
-
 std::string asText(const answers::SceneContinuumAnswer& answer)
 {
     const NetworkContinuum& curve = answer.curve();
@@ -117,11 +97,15 @@ ExitStatus continuumInBars(const Given& given, const CommonOptions& common,
     Network network = networkOf(assembly);
     const std::vector<ContactSpan> schedule = spansOf(given, common, network.contacts.size());
     answers::limitStrain(network, assembly, given.number("--strain-limit"));
-    const auto joules = given.number("--energy");
-    const auto ratio = given.number("--energy-ratio");
-    requireEnergy(joules, ratio);
-    const double energy = *heldEnergy(network, joules, ratio);
-    NetworkCurveOptions options = curveOf(given, assembly, network);
+    const double energy = answers::energyAsked(given, network).value();
+    NetworkCurveOptions options = answers::continuumAsked(given, [&](const char* option) {
+        std::optional<std::vector<double>> waves;
+        if (const std::string path = given.text(option); !path.empty()) {
+            waves = forFile(option, path,
+                            [&] { return readNearestWaves(path, network, barOf(assembly)); });
+        }
+        return waves;
+    });
     Outputs outputs(given, {"--csv", "--state", "--figure", "--animate"});
     answers::SceneContinuumAnswer answer =
         watched(common, "tracing", [&](const Cancel& cancel, const auto& show) {

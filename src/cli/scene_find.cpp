@@ -76,10 +76,7 @@ std::string inWords(const answers::SceneSchedule& schedule, double energy, int d
 NetworkWish wishOf(const FindCommand& call, const Assembly& assembly, const Network& network)
 {
     const FindOptions& options = call.options;
-    const auto joules = call.given.number("--energy");
-    refuseIf(joules && options.energyRatio,
-             "--energy clashes with --energy-ratio: allowed one of them");
-    NetworkWish wish{options.objective, heldEnergy(network, joules, options.energyRatio), {}};
+    NetworkWish wish{options.objective, answers::energyAsked(call.given, network), {}};
     const std::string target = call.given.text("--target");
     requireTarget(options, target);
     if (!target.empty()) {
