@@ -232,19 +232,10 @@ def simulate(start: State | Waves | str | None = None, *,
     if several and (asked["damping"] or asked["cells"] is not None or resolve is not None):
         raise ValueError("damping, cells, resolve: allowed only without a scene of words "
                          "(dash=D among them)")
-    if several and start is not None and velocity is not None:
-        raise ValueError("start, velocity: allowed one of them")
     if not several and velocity is not None:
         raise ValueError("velocity: allowed only with a scene of words, or gravity")
     if asked["scene"].segments:
         raise ValueError("segments: allowed only where stepped bars are known: find")
-    is_driven = force is not None
-    has_none = amplitude is amplitude_velocity is amplitude_acceleration is None
-    if is_driven == has_none or is_driven != (frequency is not None):
-        raise ValueError("force, amplitude, frequency: allowed only all three together")
-    if (time is None) == (periods is None) or (periods is not None and not is_driven):
-        raise ValueError("time, periods: allowed one of them, and periods only together "
-                         "with force")
     return _core.simulate_bars(asked) if several else _core.simulate(asked)
 
 

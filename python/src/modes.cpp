@@ -75,14 +75,7 @@ py::dict families(const Asked& asked)
     asked.read("--max-energy-ratio", bounds.maxEnergyRatio);
     list.maxEnergyRatio = bounds.maxEnergyRatio;
     return dictionaryOf(patiently(asked, [=](const Wires& wires) mutable {
-        std::int64_t order = 0;
-        forEachFamily(list.maxOrder, wires.on(bounds), [&](const Family& family) {
-            if (std::exchange(order, family.order) < family.order) {
-                wires.progress(static_cast<double>(order), static_cast<double>(list.maxOrder));
-            }
-            list.families.push_back(family);
-            return true;
-        });
+        fill(list, wires.on(bounds), {.right = bounds.gapSign}, wires.progress);
         return list;
     }));
 }

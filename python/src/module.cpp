@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <regex>
 
 #include "calls.hpp"
 #include "options.hpp"
@@ -19,16 +18,23 @@ namespace {
 /// --max-order too.
 std::string inPython(std::string words)
 {
-    static const std::regex option("--[a-z][a-z-]*");
-    for (std::smatch at; std::regex_search(words, at, option);) {
-        words = at.prefix().str() + nameOf(at.str()) + at.suffix().str();
-    }
-    static const std::regex hump(
-        R"([a-z](?=[A-Z][^ \n,;:.()]* = )|wave(?=Speed)|axial(?=Stiffness))");
-    for (std::smatch at; std::regex_search(words, at, hump);) {
-        const auto upper = static_cast<std::size_t>(at.position() + at.length());
-        const int lower = std::tolower(static_cast<unsigned char>(words[upper]));
-        words.replace(upper, 1, {'_', static_cast<char>(lower)});
+    constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz-";
+    const auto isIn = [](char letter, char first, char last) {
+        return first <= letter && letter <= last;
+    };
+    for (std::size_t k = 0; k + 2 < words.size(); ++k) {
+        const std::string_view rest = std::string_view(words).substr(k);
+        if (rest.starts_with("--") && isIn(rest[2], 'a', 'z')) {
+            const std::size_t end = std::min(rest.find_first_not_of(letters), rest.size());
+            words.replace(k, end, nameOf(rest.substr(0, end)));
+        } else if (isIn(rest[0], 'a', 'z') && isIn(rest[1], 'A', 'Z')) {
+            const std::size_t end = std::min(rest.find_first_of(" \n,;:.()"), rest.size());
+            if (rest.substr(end).starts_with(" = ") || rest.starts_with("eSpeed") ||
+                rest.starts_with("lStiffness")) {
+                const int lower = std::tolower(static_cast<unsigned char>(rest[1]));
+                words.replace(k + 1, 1, {'_', static_cast<char>(lower)});
+            }
+        }
     }
     return words;
 }

@@ -15,38 +15,26 @@ void addBar(py::module_& module)
 {
     Record<Bar> record(module);
     using Number = std::optional<Quantity>;
-    record.more().def(
-        py::init([](const Quantity& length, const Number& waveSpeed, const Number& axialStiffness,
-                    const Quantity& gap, const Number& young, const Number& density,
-                    const Number& area) {
-            Bar bar{.length = quantityOf("length", length),
-                    .gap = quantityOf("gap", gap),
-                    .young = quantityOf("young", young)};
-            warnIf(bar.young && *bar.young < softestModulus,
-                   "young is softer than rubber: GPa are \"210GPa\"");
-            if (density || area) {
-                if (!young || !density || !area) {
-                    throw std::invalid_argument(
-                        "young, density, area: allowed only all three together");
-                }
-                if (waveSpeed || axialStiffness) {
-                    throw std::invalid_argument(
-                        "young, density, area clash with wave_speed, axial_stiffness: allowed "
-                        "one set");
-                }
-                return barOfMaterial(bar.length, *bar.young, *quantityOf("density", density),
-                                     *quantityOf("area", area), bar.gap);
-            }
-            bar.waveSpeed = quantityOf("wave_speed", waveSpeed).value_or(bar.waveSpeed);
-            bar.axialStiffness =
-                quantityOf("axial_stiffness", axialStiffness).value_or(bar.axialStiffness);
-            validate(bar);
-            return bar;
-        }),
-        py::kw_only(), py::arg("length") = Bar{}.length, py::arg("wave_speed") = py::none(),
-        py::arg("axial_stiffness") = py::none(), py::arg("gap") = Bar{}.gap,
-        py::arg("young") = py::none(), py::arg("density") = py::none(),
-        py::arg("area") = py::none());
+    record.more().def(py::init([](const Quantity& length, const Number& waveSpeed,
+                                  const Number& axialStiffness, const Quantity& gap,
+                                  const Number& young, const Number& density, const Number& area) {
+                          Asked asked;
+                          asked["length"] = length;
+                          asked["wave_speed"] = waveSpeed;
+                          asked["axial_stiffness"] = axialStiffness;
+                          asked["gap"] = gap;
+                          asked["young"] = young;
+                          asked["density"] = density;
+                          asked["area"] = area;
+                          const Bar bar = barAsked(asked, true);
+                          warnIf(bar.young && *bar.young < softestModulus,
+                                 "young is softer than rubber: GPa are \"210GPa\"");
+                          return bar;
+                      }),
+                      py::kw_only(), py::arg("length") = Bar{}.length,
+                      py::arg("wave_speed") = py::none(), py::arg("axial_stiffness") = py::none(),
+                      py::arg("gap") = Bar{}.gap, py::arg("young") = py::none(),
+                      py::arg("density") = py::none(), py::arg("area") = py::none());
     for (const auto& [name, unit, doc] :
          {std::tuple("energy_unit", &Scales::energy,
                      "E_1 = EA g^2/(2L) [J]: the unit of every `energy_ratio`."),

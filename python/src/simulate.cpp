@@ -110,6 +110,7 @@ Waves startOf(const Asked& asked, std::optional<std::int64_t> cells, const Stops
 
 Simulated simulate(const Asked& asked)
 {
+    requireWhole(asked, false);
     SimulationAnswer answer{.scene = asked.scene(), .damping = asked.damping()};
     const Bar units = answer.scene.bar;
     if (asked.has("frequency")) {
@@ -150,20 +151,17 @@ NetworkStart startOf(const Asked& asked, const Network& network, double base)
     }
     std::vector<double> speeds;
     for (const py::handle& speed : given) {
-        speeds.push_back(quantityOf("velocity", py::cast<Quantity>(speed)) /
-                         network.scales.velocity());
+        speeds.push_back(quantityOf("velocity", py::cast<Quantity>(speed)));
     }
-    return startWithSpeeds(network, speeds);
+    return answers::startOf(network, std::move(speeds));
 }
 
 SimulatedBars simulateBars(const Asked& asked)
 {
     const Assembly assembly = asked.assembly();
     const Network network = networkOf(assembly);
-    SceneDrive drive;
-    if (asked.has("force")) {
-        drive = driveAsked(asked, network);
-    }
+    requireWhole(asked, true);
+    const SceneDrive drive = driveAsked(asked, network);
     const double duration = durationOf(network, drive, asked.maybe<double>("time"),
                                        asked.maybe<std::int64_t>("periods"));
     const NetworkStart start = startOf(asked, network, drive.moved.base);

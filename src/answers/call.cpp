@@ -1,6 +1,7 @@
 #include "call.hpp"
 
 #include <array>
+#include <numbers>
 
 #include "excited_names.hpp"
 #include "options.hpp"
@@ -119,6 +120,30 @@ void requireOneEnergy(const Call& call)
 {
     refuseIf(call.has("--energy") && call.has("--energy-ratio"),
              "--energy clashes with --energy-ratio: allowed one of them");
+}
+
+Bar barAsked(const Call& call, bool mayHaveModulusAlone)
+{
+    Bar bar;
+    call.read("--length", bar.length);
+    call.read("--gap", bar.gap);
+    bar.young = call.number("--young");
+    const auto density = call.number("--density");
+    const auto diameter = call.number("--diameter");
+    const auto area = diameter ? std::optional(0.25 * std::numbers::pi * *diameter * *diameter)
+                               : call.number("--area");
+    refuseIf(diameter && call.has("--area"), "--area clashes with --diameter: allowed one of them");
+    if (!density && !area && (mayHaveModulusAlone || !bar.young)) {
+        call.read("--wave-speed", bar.waveSpeed);
+        call.read("--axial-stiffness", bar.axialStiffness);
+        validate(bar);
+        return bar;
+    }
+    refuseIf(call.has("--wave-speed") || call.has("--axial-stiffness"),
+             "--young/--density/--area clash with --wave-speed/--axial-stiffness: allowed one set");
+    refuseIf(!bar.young || !density || !area,
+             "--young, --density, --area: allowed only all three together");
+    return barOfMaterial(bar.length, *bar.young, *density, *area, bar.gap);
 }
 
 FrequencyOption::FrequencyOption(const Call& call, const char* name, const char* twin)

@@ -68,6 +68,11 @@ protected:
     ~Call() = default;
 };
 
+/// --length, --gap, and what the bar is made of: --wave-speed and --axial-stiffness, or --young,
+/// --density and --area or --diameter; perhaps --young beside the former. \throws
+/// std::invalid_argument on a clash, or a bar that is none.
+[[nodiscard]] Bar barAsked(const Call& call, bool mayHaveModulusAlone);
+
 /// ω₁/2π of a bar [Hz].
 [[nodiscard]] double firstHertz(const Bar& bar);
 

@@ -17,6 +17,39 @@ int gapSignOfModes(const Bar& bar)
     return bar.gap > 0.0 ? 1 : -1;
 }
 
+void fill(FamilyList& list, const FamilyBounds& bounds, const Stops& stops,
+          const std::function<void(double, double)>& show)
+{
+    const auto last = static_cast<double>(list.maxOrder);
+    std::int64_t order = 0;
+    const bool isWhole = forEachFamily(list.maxOrder, bounds, [&](const Family& family) {
+        if (family.order > order) {
+            order = family.order;
+            // The work up to an order grows with its square.
+            const auto done = static_cast<double>(order - 1);
+            show(done * done, last * last);
+        }
+        if (!staysClear(family, stops)) {
+            return true;
+        }
+        if (list.families.size() == FamilyList::most) {
+            list.ended = fmt::format("{} families are the most in a list", FamilyList::most);
+            return false;
+        }
+        list.families.push_back(family);
+        return true;
+    });
+    if (!isWhole && list.ended.empty()) {
+        // Who interrupts it does not wait until millions are printed.
+        constexpr std::size_t shown = 10'000;
+        const std::size_t found = list.families.size();
+        list.ended = found > shown
+                         ? fmt::format("interrupted, the first {} of {} found", shown, found)
+                         : "interrupted";
+        list.families.resize(std::min(found, shown));
+    }
+}
+
 ModeBounds modesAsked(const Call& call, std::int64_t phases, const Bar& bar)
 {
     constexpr std::array<std::int64_t, maxPolytopePhases> orders{25, 25, 9, 5, 3};

@@ -2,8 +2,10 @@
 /// \file
 /// Families, modes and polytopes, their motions, and lists of them.
 
+#include <functional>
 #include <string>
 
+#include "call.hpp"
 #include "parts.hpp"
 
 namespace signorini::answers {
@@ -66,6 +68,10 @@ struct PolytopeList {
 /// The sign of the gap. \throws std::invalid_argument where there is none: no mode has a stretch of
 /// periods then.
 [[nodiscard]] int gapSignOfModes(const Bar& bar);
+
+/// The families, or those found until a signal came or the list was full.
+void fill(FamilyList& list, const FamilyBounds& bounds, const Stops& stops,
+          const std::function<void(double, double)>& show);
 
 /// Which modes, or with several contacts polytopes, a call asks for: without bounds those that a
 /// few seconds list. \throws std::invalid_argument as gapSignOfModes, and on a larger order.

@@ -60,6 +60,22 @@ SceneDrive driveAsked(const Call& call, const Network& network)
     return drivenBy(network, driveAsked(call, firstHertz(referenceOf(network)), place));
 }
 
+NetworkStart startOf(const Network& network, std::vector<double> speeds)
+{
+    constexpr double largest = 1e100;  // so that energies are numbers
+    for (double& speed : speeds) {
+        const double scaled = speed / network.scales.velocity();
+        const double joules = scaled * scaled * network.scales.energy();
+        if (!(std::max(std::abs(scaled), joules) <= largest)) {
+            refuse("--velocity", fmt::format("{}", speed),
+                   fmt::format("speeds whose energies are numbers: at most {:.3g} [m/s] or 1e100 J",
+                               largest * network.scales.velocity()));
+        }
+        speed = scaled;
+    }
+    return startWithSpeeds(network, speeds);
+}
+
 double durationOf(const Network& network, const SceneDrive& drive,
                   const std::optional<double>& time, const std::optional<std::int64_t>& periods)
 {

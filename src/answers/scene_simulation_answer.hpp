@@ -21,6 +21,10 @@ struct SceneDrive {
 /// \throws std::invalid_argument on options that do not go together, and as drivenBy.
 [[nodiscard]] SceneDrive driveAsked(const Call& call, const Network& network);
 
+/// Undeformed, each bar with its own speed [m/s]. \throws std::invalid_argument naming one whose
+/// energy is no number, and as startWithSpeeds.
+[[nodiscard]] NetworkStart startOf(const Network& network, std::vector<double> speeds);
+
 /// How long a call asks for: so many seconds, or periods of the harmonic [h].
 /// \throws std::invalid_argument naming time or periods beyond 1e9 crossings of all bars.
 [[nodiscard]] double durationOf(const Network& network, const SceneDrive& drive,

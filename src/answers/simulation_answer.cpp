@@ -1,5 +1,6 @@
 #include "simulation_answer.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "faults.hpp"
@@ -22,6 +23,31 @@ void Drive::follow(const Excitation& excitation, const Bar& bar)
 {
     steps = excitation.steps();
     period = static_cast<double>(steps) / excitation.stepsPerCrossing * scales(bar).time;
+}
+
+void requireWhole(const Call& call, bool isOfBars)
+{
+    const auto given = [&call](std::initializer_list<const char*> options) {
+        return std::count_if(options.begin(), options.end(),
+                             [&call](const char* option) { return call.has(option); });
+    };
+    refuseIf(given({"--rest", "--from", "--velocity"}) > 1,
+             "--rest, --from, --velocity: allowed one of them: each is a start");
+    const bool isPlaced = call.has("--force");
+    const bool isSized =
+        given({"--amplitude", "--amplitude-velocity", "--amplitude-acceleration"}) > 0;
+    const bool isTimed = given({"--frequency", "--hertz"}) > 0;
+    const bool isDriven = isPlaced || isSized || isTimed;
+    const bool hasPeriods = call.has("--periods");
+    refuseIf(call.has("--force-file") && (isDriven || hasPeriods),
+             "--force-file clashes with --force, --amplitude, --frequency and --periods: allowed a "
+             "force of one kind, and --time");
+    refuseIf(!isOfBars && isDriven && !(isPlaced && isSized && isTimed),
+             "--force, --amplitude, --frequency: allowed only all three together");
+    refuseIf(!isOfBars && hasPeriods && !isPlaced, "--periods: allowed only together with --force");
+    refuseIf(call.has("--time") && hasPeriods,
+             "--time clashes with --periods: allowed one of them");
+    refuseIf(!call.has("--time") && !hasPeriods, "--time, --periods: missing: allowed one of them");
 }
 
 Drive driveAsked(const Call& call, double firstHertz, Excited place)

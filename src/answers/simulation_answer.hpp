@@ -24,6 +24,10 @@ struct Drive {
     void follow(const Excitation& excitation, const Bar& bar);
 };
 
+/// One start, what moves, and for how long; what moves several bars need not be said where there is
+/// one. \throws std::invalid_argument on options that do not go together.
+void requireWhole(const Call& call, bool isOfBars);
+
 /// Of --amplitude or its derivatives, --frequency and --phase, ω₁ being so many Hz. \pre The first
 /// two are given. \throws std::invalid_argument naming a wrong one.
 [[nodiscard]] Drive driveAsked(const Call& call, double firstHertz, Excited place);

@@ -7,7 +7,6 @@
 #include <csignal>
 #include <cstdio>
 #include <limits>
-#include <numbers>
 #include <system_error>
 #include <utility>
 
@@ -115,26 +114,13 @@ CommonOptions::CommonOptions(const Given& given)
       dampingRatio(given.knows("--damping") ? given.number("--damping") : std::nullopt),
       piecesFile_(given.text("--segments-file")),
       secondStop_(given.number("--second-stop")),
-      waveSpeed_(given.number("--wave-speed")),
-      axialStiffness_(given.number("--axial-stiffness")),
-      young_(given.number("--young")),
-      density_(given.number("--density")),
-      area_(given.number("--area"))
+      given_(&given)
 {
     bar_.length = given.number("--length").value_or(bar_.length);
     bar_.gap = given.number("--gap").value_or(bar_.gap);
     if (given.has("--segments")) {
         segments_ = parseSegments("--segments", given.text("--segments"));
     }
-    if (const auto diameter = given.number("--diameter")) {
-        takeArea(0.25 * std::numbers::pi * *diameter * *diameter);
-    }
-}
-
-void CommonOptions::takeArea(double area)
-{
-    refuseIf(std::exchange(area_, area).has_value(),
-             "--area clashes with --diameter: allowed one of them");
 }
 
 std::int64_t CommonOptions::usualCells() const
@@ -197,29 +183,13 @@ Scene CommonOptions::sceneOfOneBar() const
 
 Scene CommonOptions::shortForms() const
 {
-    Scene scene(givenBar(), secondStop_, segments_);
+    Scene scene(answers::barAsked(*given_, false), secondStop_, segments_);
     if (!piecesFile_.empty()) {
         scene = pieces().scene;
         scene.secondStop = secondStop_;
     }
     validate(scene);
     return scene;
-}
-
-Bar CommonOptions::givenBar() const
-{
-    if (!young_ && !density_ && !area_) {
-        Bar bar = bar_;
-        bar.waveSpeed = waveSpeed_.value_or(bar.waveSpeed);
-        bar.axialStiffness = axialStiffness_.value_or(bar.axialStiffness);
-        validate(bar);
-        return bar;
-    }
-    refuseIf(waveSpeed_ || axialStiffness_,
-             "--young/--density/--area clash with --wave-speed/--axial-stiffness: allowed one set");
-    refuseIf(!young_ || !density_ || !area_,
-             "--young, --density, --area: allowed only all three together");
-    return barOfMaterial(bar_.length, *young_, *density_, *area_, bar_.gap);
 }
 
 std::string CommonOptions::restated(std::optional<std::int64_t> grid,
@@ -254,7 +224,7 @@ std::string CommonOptions::restated(std::optional<std::int64_t> grid,
             "them\n",
             pieces().cells, 100.0 * pieces().rounding);
     }
-    text += youngNote(young_);
+    text += youngNote(given_->number("--young"));
     if (damping && *damping > answers::likelyPercent) {
         text +=
             fmt::format("note        ζ = {0:.6g} is {1:.6g} %: {0:.6g} % are --damping {2:.6g}\n",

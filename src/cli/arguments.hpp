@@ -128,9 +128,6 @@ struct CommonOptions {
     void useOneThread() const;
 
 private:
-    [[nodiscard]] Bar givenBar() const;
-    void takeArea(double area);
-
     /// What --segments-file says. \pre it is given.
     [[nodiscard]] const PiecedBar& pieces() const;
 
@@ -140,11 +137,7 @@ private:
     Bar bar_;  ///< length and gap
     std::optional<double> secondStop_;
     std::vector<Segment> segments_;
-    std::optional<double> waveSpeed_;
-    std::optional<double> axialStiffness_;
-    std::optional<double> young_;
-    std::optional<double> density_;
-    std::optional<double> area_;
+    const Given* given_;
 };
 
 /// "150:1,150:1.3:1": cells, impedance and speed, of one segment after the other.

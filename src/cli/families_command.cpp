@@ -2,53 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "files.hpp"
 #include "given.hpp"
 #include "progress.hpp"
 #include "reports.hpp"
 
 namespace signorini::cli {
-
-namespace {
-
-/// The families, or those found until a signal came or the list was full.
-void fill(answers::FamilyList& list, const FamilyBounds& bounds, const Stops& stops,
-          const auto& show)
-{
-    const auto last = static_cast<double>(list.maxOrder);
-    std::int64_t order = 0;
-    const bool isWhole = forEachFamily(list.maxOrder, bounds, [&](const Family& family) {
-        if (family.order > order) {
-            order = family.order;
-            // The work up to an order grows with its square.
-            const auto done = static_cast<double>(order - 1);
-            show(done * done, last * last);
-        }
-        if (!staysClear(family, stops)) {
-            return true;
-        }
-        if (list.families.size() == answers::FamilyList::most) {
-            list.ended =
-                fmt::format("{} families are the most in a list", answers::FamilyList::most);
-            return false;
-        }
-        list.families.push_back(family);
-        return true;
-    });
-    if (!isWhole && list.ended.empty()) {
-        // Who interrupts it does not wait until millions are printed.
-        constexpr std::size_t shown = 10'000;
-        const std::size_t found = list.families.size();
-        list.ended = found > shown
-                         ? fmt::format("interrupted, the first {} of {} found", shown, found)
-                         : "interrupted";
-        list.families.resize(std::min(found, shown));
-    }
-}
-
-}  // namespace
 
 ExitStatus runFamilies(const Given& given)
 {
@@ -70,7 +29,7 @@ ExitStatus runFamilies(const Given& given)
     bounds.gapSign = stops.right;
     watched(common, "listing families", [&](const Cancel& cancel, const auto& show) {
         bounds.cancel = cancel;
-        fill(list, bounds, stops, show);
+        answers::fill(list, bounds, stops, show);
     });
     if (list.isComplete()) {
         outputs.put("--csv", writeFamiliesCsv, list);

@@ -1,5 +1,7 @@
 // --segments-file: the pieces of a bar as a drawing has them.
 
+#include <algorithm>
+#include <array>
 #include <numbers>
 
 #include "arguments.hpp"
@@ -51,9 +53,12 @@ std::vector<BarPiece> readPieces(const std::string& path)
 const PiecedBar& CommonOptions::pieces() const
 {
     if (!pieces_) {
+        constexpr std::array others{"--wave-speed", "--axial-stiffness", "--young", "--density",
+                                    "--area",       "--diameter"};
         const bool isClash = !segments_.empty() || !sceneText.empty() ||
-                             bar_.length != Bar{}.length || waveSpeed_ || axialStiffness_ ||
-                             young_ || density_ || area_;
+                             bar_.length != Bar{}.length ||
+                             std::any_of(others.begin(), others.end(),
+                                         [this](const char* other) { return given_->has(other); });
         refuseIf(isClash,
                  "--segments-file clashes with --scene, --segments, --length, --wave-speed, "
                  "--axial-stiffness, --young, --density, --area: the file gives them");

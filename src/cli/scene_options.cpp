@@ -211,7 +211,7 @@ const Assembly& CommonOptions::assembly() const
         assembly_->gravity = gravity;
         validate(*assembly_);
     } else if (!assembly_) {
-        const Bar bar = givenBar();
+        const Bar bar = answers::barAsked(*given_, false);
         refuseIf(cells || secondStop_ || !segments_.empty() || !piecesFile_.empty() ||
                      bar.gap != Bar{}.gap,
                  "--scene clashes with --cells, --gap, --second-stop, --segments, --segments-file: "

@@ -63,19 +63,7 @@ NetworkStart startOf(const SimulateCommand& command, const Network& network, dou
     if (command.speeds.empty()) {
         return startAtRest(network, base);
     }
-    std::vector<double> speeds = command.speeds;
-    constexpr double largest = 1e100;  // so that energies are numbers
-    for (double& speed : speeds) {
-        const double scaled = speed / network.scales.velocity();
-        const double joules = scaled * scaled * network.scales.energy();
-        if (!(std::max(std::abs(scaled), joules) <= largest)) {
-            refuse("--velocity", fmt::format("{}", speed),
-                   fmt::format("speeds whose energies are numbers: at most {:.3g} [m/s] or 1e100 J",
-                               largest * network.scales.velocity()));
-        }
-        speed = scaled;
-    }
-    return startWithSpeeds(network, speeds);
+    return answers::startOf(network, command.speeds);
 }
 
 std::string asText(const SceneSimulationAnswer& answer)

@@ -52,27 +52,6 @@ SimulateCommand::SimulateCommand(const Given& words)
     }
 }
 
-void SimulateCommand::requireWhole() const
-{
-    refuseIf(
-        (given.has("--rest") ? 1 : 0) + (given.has("--from") ? 1 : 0) + (speeds.empty() ? 0 : 1) >
-            1,
-        "--rest, --from, --velocity: allowed one of them: each is a start");
-    const int parts =
-        (force.place ? 1 : 0) + (force.amplitude ? 1 : 0) + (frequency.isGiven() ? 1 : 0);
-    refuseIf(given.has("--force-file") && (parts > 0 || periods),
-             "--force-file clashes with --force, --amplitude, --frequency and --periods: allowed a "
-             "force of one kind, and --time");
-    refuseIf(!isOfNetwork() && parts != 0 && parts != 3,
-             "--force, --amplitude, --frequency: allowed only all three together");
-    refuseIf(!isOfNetwork() && periods && !force.place,
-             "--periods: allowed only together with --force");
-    if (time.has_value() == periods.has_value()) {
-        throw std::invalid_argument(time ? "--time clashes with --periods: allowed one of them"
-                                         : "--time, --periods: missing: allowed one of them");
-    }
-}
-
 Waves SimulateCommand::start(const Scene& scene, double base) const
 {
     const std::vector<Segment> parts = partsOf(scene);
@@ -135,7 +114,7 @@ std::vector<double> SimulateCommand::forceHistory(double step, double newtons, d
 
 ExitStatus SimulateCommand::run() const
 {
-    requireWhole();
+    answers::requireWhole(given, isOfNetwork());
     if (isOfNetwork()) {
         return simulateScene(*this);
     }

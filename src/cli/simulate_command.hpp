@@ -27,9 +27,6 @@ struct SimulateCommand {
 
     [[nodiscard]] ExitStatus run() const;
 
-    /// \throws std::invalid_argument on options that do not go together.
-    void requireWhole() const;
-
     /// The force of --force-file in units of so many newtons: its mean in each of so many steps of
     /// so many seconds, one more than are begun.
     [[nodiscard]] std::vector<double> forceHistory(double step, double newtons, double steps) const;
