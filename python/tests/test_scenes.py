@@ -425,6 +425,15 @@ def test_bars_that_meet_under_an_exact_harmonic() -> None:
         sg.find(scene=BARS, period="1/3", force="tip", amplitude=2e-3)
 
 
+def test_what_drives_bars_is_said_only_where_there_is_a_choice() -> None:
+    drive: dict[str, Any] = {"amplitude": 2e-3, "frequency": "0.5Hz", "periods": 3}
+    assert sg.simulate(scene=BARS, **drive) == sg.simulate(scene=BARS, force="tip", **drive)
+    with pytest.raises(ValueError, match=r"one word driven .* force tip\|base says which"):
+        sg.simulate(scene=BARS.replace("30 dash", "shaken 30 dash"), **drive)
+    with pytest.raises(ValueError, match="^amplitude, frequency: allowed only together$"):
+        sg.simulate(scene=BARS, amplitude=2e-3, time=1.0)
+
+
 def test_the_contact_of_bars_is_drawn() -> None:
     """What the curves say is what the motion says, and a notebook has them."""
     found = sg.find(scene=BARS, hertz=0.5, force="tip", amplitude=2e-3)
