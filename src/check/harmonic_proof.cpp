@@ -1,11 +1,11 @@
 #include "harmonic_proof.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <numbers>
 #include <numeric>
 
+#include "dense.hpp"
 #include "harmonic_discs.hpp"
 
 namespace signorini {
@@ -241,7 +241,7 @@ private:
             middle(static_cast<Eigen::Index>(i / n), static_cast<Eigen::Index>(i % n)) =
                 0.5 * (slopes[i].low + slopes[i].high);
         }
-        const Eigen::MatrixXd inverse = middle.fullPivLu().inverse();
+        const Eigen::MatrixXd inverse = FullFactors(middle).inverse();
         if (!inverse.allFinite()) {
             return std::nullopt;
         }

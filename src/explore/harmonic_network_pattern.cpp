@@ -1,12 +1,12 @@
 #include "harmonic_network_pattern.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
 #include "contact_spans.hpp"
+#include "dense.hpp"
 #include "harmonic_motion.hpp"
 #include "harmonic_network_march.hpp"
 #include "harmonic_network_walk.hpp"
@@ -115,7 +115,7 @@ public:
                 ++row;
             }
         }
-        Eigen::VectorXd move = slope.partialPivLu().solve(-residual);
+        Eigen::VectorXd move = SquareFactors(slope).solve(-residual);
         if (!move.allFinite()) {
             return infinity;
         }

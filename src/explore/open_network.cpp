@@ -1,9 +1,7 @@
 #include "open_network.hpp"
 
-#include <Eigen/LU>
-
+#include "dense.hpp"
 #include "harmonic_motion.hpp"
-#include "least_norm.hpp"
 #include "statics.hpp"
 
 namespace signorini {
@@ -67,22 +65,25 @@ OpenNetwork::Vector OpenNetwork::arriving(std::int64_t k, const Vector& sent,
     Eigen::MatrixXcd matrix = delay.asDiagonal() * scatter_.cast<Complex>();
     matrix = Eigen::MatrixXcd::Identity(channels(), channels()) - matrix;
     const Vector right = delay.asDiagonal() * sent;
-    const Eigen::PartialPivLU<Eigen::MatrixXcd> parts(matrix);
-    if (parts.rcond() > resonance) {
-        return parts.solve(right);
-    }
-    if (undamped == Undamped::refused) {
-        throw Resonance("nothing damps some waves of this period");
-    }
-    // Real and imaginary parts: that has the same waves of least norm.
+    // Real and imaginary parts: that has the same waves, also those of least norm.
     Eigen::MatrixXd both(2 * channels(), 2 * channels());
     both << matrix.real(), -matrix.imag(), matrix.imag(), matrix.real();
     Eigen::VectorXd sides(2 * channels());
     sides << right.real(), right.imag();
-    const Eigen::VectorXd least = LeastSquares(both, resonance).solve(sides);
-    Vector waves(channels());
-    waves.real() = least.head(channels());
-    waves.imag() = least.tail(channels());
+    const auto wavesOf = [this](const Eigen::VectorXd& parts) {
+        Vector waves(channels());
+        waves.real() = parts.head(channels());
+        waves.imag() = parts.tail(channels());
+        return waves;
+    };
+    const SquareFactors factors(both);
+    if (factors.rcond() > resonance) {
+        return wavesOf(factors.solve(sides));
+    }
+    if (undamped == Undamped::refused) {
+        throw Resonance("nothing damps some waves of this period");
+    }
+    Vector waves = wavesOf(LeastSquares(both, resonance).solve(sides));
     if (!((matrix * waves - right).norm() <= harmonicTolerance * right.norm())) {
         throw Resonance("waves that nothing damps resonate at this period");
     }

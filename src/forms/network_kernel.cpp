@@ -1,7 +1,5 @@
 #include "network_kernel.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -143,15 +141,14 @@ VectorOf<Number> scalesOf(const NetworkBlocks& blocks)
     return scale;
 }
 
+/// Fine numbers have no factors of their own for square matrices.
 template <typename Number>
-using Factors = std::conditional_t<isFine<Number>, OrthogonalFactors<Number>,
-                                   Eigen::PartialPivLU<MatrixOf<Number>>>;
+using Factors = std::conditional_t<isFine<Number>, OrthogonalFactors<Number>, SquareFactors>;
 
 /// An orthonormal basis of the kernel.
 template <typename Number>
 MatrixOf<Number> kernelBasis(const MatrixOf<Number>& change, double zero, bool& isClear)
 {
-    using std::abs;
     const Eigen::Index size = change.cols();
     const double none = isFine<Number> ? 1e-40 : noPivot;
     const double clear = isFine<Number> ? 1e-25 : clearPivot;
@@ -159,52 +156,24 @@ MatrixOf<Number> kernelBasis(const MatrixOf<Number>& change, double zero, bool& 
     const OrthogonalFactors<Number> factors(change.transpose());
     Eigen::Index rank = 0;
     for (Eigen::Index k = 0; k < size; ++k) {
-        const Number pivot = abs(factors.matrixQR()(k, k));
+        const Number pivot = factors.pivot(k);
         rank += pivot > (isFine<Number> ? none : zero) ? 1 : 0;
         isClear = isClear && !(pivot > none && pivot < clear);
     }
-    if constexpr (isFine<Number>) {
-        return MatrixOf<Number>(factors.matrixQ()).rightCols(size - rank);
-    } else {
-        MatrixOf<Number> basis = MatrixOf<Number>::Zero(size, size - rank);
-        basis.bottomRows(size - rank).setIdentity();
-        return factors.householderQ() * basis;
-    }
+    return factors.beyond(rank);
 }
 
 template <typename Number>
-bool isRegular(const Factors<Number>& factors, double least)
+bool isRegular(const Factors<Number>& factors, Eigen::Index size, double least)
 {
     if constexpr (isFine<Number>) {
-        return factors.matrixQR().diagonal().cwiseAbs().minCoeff() > 1e-25;
-    } else {
-        return factors.matrixLU().diagonal().cwiseAbs().minCoeff() > least &&
-               factors.rcond() > least;
-    }
-}
-
-/// Column by column where there are no blocks.
-template <typename Number>
-MatrixOf<Number> solved(const Factors<Number>& factors, const MatrixOf<Number>& right)
-{
-    if constexpr (isFine<Number>) {
-        MatrixOf<Number> columns(right.rows(), right.cols());
-        for (Eigen::Index k = 0; k < right.cols(); ++k) {
-            columns.col(k) = factors.solve(right.col(k));
+        bool isClear = true;
+        for (Eigen::Index k = 0; k < size; ++k) {
+            isClear = isClear && factors.pivot(k) > 1e-25;
         }
-        return columns;
+        return isClear;
     } else {
-        return factors.solve(right);
-    }
-}
-
-template <typename Number>
-MatrixOf<Number> product(const auto& left, const MatrixOf<Number>& right)
-{
-    if constexpr (isFine<Number>) {
-        return left.lazyProduct(right);
-    } else {
-        return left * right;
+        return factors.leastPivot() > least && factors.rcond() > least;
     }
 }
 
@@ -256,7 +225,7 @@ private:
         if (isDamped_ || inputs > 0) {
             factors.emplace(rest);
         }
-        const bool isWhole = factors && isRegular<Number>(*factors, clearPivot);
+        const bool isWhole = factors && isRegular<Number>(*factors, size, clearPivot);
         const Matrix basis = isWhole ? Matrix(size, 0) : basisOf(type, rest, start);
         const auto channels = static_cast<std::int64_t>(blocks_.network().channels());
         kept_ += (channels * blocks_.turns() + size) * (basis.cols() + inputs);
@@ -269,13 +238,12 @@ private:
         states.leftCols(basis.cols()) = basis / width;
         if (inputs > 0) {
             const Matrix made = carried.rightCols(inputs);
-            const Matrix work = product(basis.transpose(), made);
+            const Matrix work = product<Number>(basis.transpose(), made);
             if (!isWhole) {
-                factors.emplace(rest + product(basis, Matrix(basis.transpose())));
+                factors.emplace(rest + product<Number>(basis, basis.transpose()));
             }
-            kernel_.isClear = kernel_.isClear && isRegular<Number>(*factors, leastPivot);
-            states.rightCols(inputs) =
-                solved<Number>(*factors, Matrix(made - product(basis, work)));
+            kernel_.isClear = kernel_.isClear && isRegular<Number>(*factors, size, leastPivot);
+            states.rightCols(inputs) = factors->solve(made - product<Number>(basis, work));
             kernel_.work.push_back(width * work);
         }
         keep(type, basis.cols(), scale_.cwiseInverse().asDiagonal() * states);

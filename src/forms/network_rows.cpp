@@ -1,6 +1,5 @@
 #include "network_rows.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -207,22 +206,21 @@ private:
         }
         const std::vector<Made> tied = takeTied();
         const auto count = static_cast<Eigen::Index>(tied.size());
-        MatrixOf<Number> signs(count, count);
+        Eigen::MatrixXd signs(count, count);        // +-1 and 0
         MatrixOf<Number> rows(count, drifts_ + 1);  // the last column: right sides
         for (Eigen::Index k = 0; k < count; ++k) {
             const Made& made = tied[static_cast<std::size_t>(k)];
-            signs.row(k) = made.row.tail(count).transpose();
+            signs.row(k) = made.row.tail(count).transpose().template cast<double>();
             rows.row(k) << made.row.head(drifts_).transpose(), made.rhs;
             rows_.tied.push_back(made.of);
         }
-        const MatrixOf<Number> by = -signs.inverse();
-        rows = (by * rows).eval();
-        rows_.driftBy = by.template cast<double>();
+        rows_.driftBy = -FullFactors(signs).inverse();
+        rows = product<Number>(rows_.driftBy.template cast<Number>(), rows);
         for (auto* list : {&equalities_, &inequalities_}) {
             for (Made& made : *list) {
-                const Vector moved = made.row.tail(count);
-                made.row.head(drifts_) += (moved.transpose() * rows.leftCols(drifts_)).transpose();
-                made.rhs += moved.dot(rows.col(drifts_));
+                const MatrixOf<Number> by = product<Number>(made.row.tail(count).transpose(), rows);
+                made.row.head(drifts_) += by.leftCols(drifts_).transpose();
+                made.rhs += by(0, drifts_);
                 made.row.tail(count).setZero();
             }
         }

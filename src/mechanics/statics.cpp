@@ -1,8 +1,8 @@
 #include "statics.hpp"
 
-#include <Eigen/Dense>
 #include <cmath>
 
+#include "dense.hpp"
 #include "faults.hpp"
 #include "infinity.hpp"
 #include "network_simulation.hpp"
@@ -195,8 +195,7 @@ std::optional<Balance> balanceOf(const Network& network, ContactSet closed)
             matrix(first, first) += 1.0;
         }
     }
-    const Eigen::FullPivLU<Eigen::MatrixXd> lu(matrix);
-    const Eigen::VectorXd x = lu.solve(rhs);
+    const Eigen::VectorXd x = FullFactors(matrix).solve(rhs);
     if (!x.allFinite() || (matrix * x - rhs).norm() > 1e-9 * (1.0 + rhs.norm() + x.norm())) {
         return std::nullopt;
     }

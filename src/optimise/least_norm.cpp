@@ -196,25 +196,4 @@ template LeastNormOf<double> leastNorm(const RowSystemOf<double>&, double, doubl
 template LeastNormOf<FineNumber> leastNorm(const RowSystemOf<FineNumber>&, double, double,
                                            const Cancel&);
 
-LeastSquares::LeastSquares(const Eigen::MatrixXd& a, double none)
-{
-    if (none > 0.0) {
-        factors_.setThreshold(none);
-    }
-    factors_.compute(a);
-}
-
-Eigen::VectorXd LeastSquares::solve(const Eigen::VectorXd& b) const
-{
-    return factors_.solve(b);
-}
-
-Eigen::MatrixXd LeastSquares::kernel() const
-{
-    const Eigen::Index unknowns = factors_.cols();
-    Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(unknowns, unknowns - factors_.rank());
-    basis.bottomRows(basis.cols()).setIdentity();
-    return factors_.colsPermutation() * (factors_.matrixZ().transpose() * basis);
-}
-
 }  // namespace signorini

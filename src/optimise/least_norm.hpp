@@ -13,29 +13,13 @@
 /// whatever was rounded in finding u. The polyhedron is empty if u can be chosen with sum u_i a_i =
 /// 0 < sum u_i b_i; then these u are returned.
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 #include <cstdint>
-#include <type_traits>
 
-#include "fine_number.hpp"
+#include "dense.hpp"
 #include "signorini/control.hpp"
 
 namespace signorini {
-
-template <typename Number>
-inline constexpr bool isFine = std::is_same_v<Number, FineNumber>;
-
-template <typename Number>
-using MatrixOf = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>;
-template <typename Number>
-using VectorOf = Eigen::Matrix<Number, Eigen::Dynamic, 1>;
-
-/// Q R with pivots. Of fine numbers what Eigen has without blocks: these gain nothing where an
-/// operation is a call, and all that is made of them takes as long to compile as a floor.
-template <typename Number>
-using OrthogonalFactors =
-    std::conditional_t<isFine<Number>, Eigen::FullPivHouseholderQR<MatrixOf<Number>>,
-                       Eigen::ColPivHouseholderQR<MatrixOf<Number>>>;
 
 /// Rows a_i and numbers b_i, equalities first.
 template <typename Number>
@@ -70,20 +54,5 @@ using LeastNorm = LeastNormOf<double>;
 template <typename Number>
 [[nodiscard]] LeastNormOf<Number> leastNorm(const RowSystemOf<Number>& system, double tolerance,
                                             double largest, const Cancel& cancel = {});
-
-/// The x of least norm among those of least |a x - b|. Here, so that one layer alone compiles it.
-class LeastSquares {
-public:
-    /// Pivots below `none` times the largest count as 0; 0 leaves that to rounding. O(rows
-    /// columns^2).
-    explicit LeastSquares(const Eigen::MatrixXd& a, double none = 0.0);
-    [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
-    [[nodiscard]] Eigen::Index rank() const { return factors_.rank(); }
-    /// An orthonormal basis of all x with a x = 0, one in each column. O(columns^3).
-    [[nodiscard]] Eigen::MatrixXd kernel() const;
-
-private:
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors_;
-};
 
 }  // namespace signorini

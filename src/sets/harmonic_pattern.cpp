@@ -1,11 +1,11 @@
 #include "harmonic_pattern.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
+#include "dense.hpp"
 #include "harmonic_march.hpp"
 #include "harmonic_walk.hpp"
 #include "pattern_waves.hpp"
@@ -41,7 +41,7 @@ std::optional<Complex> solve(const HarmonicCase& given, HarmonicPattern& pattern
         if (tangent.size() > 0) {
             slope.row(last) = tangent.transpose();
         }
-        Eigen::VectorXd step = slope.partialPivLu().solve(-residual);
+        Eigen::VectorXd step = SquareFactors(slope).solve(-residual);
         if (!step.allFinite()) {
             return std::nullopt;
         }
@@ -166,7 +166,7 @@ std::optional<Eigen::VectorXd> tangentOf(const HarmonicCase& given, HarmonicPatt
     Eigen::VectorXd scale = Eigen::VectorXd::Constant(n, 1.0 / given.step);
     scale.head(2).setConstant(given.amplitude);
     const Eigen::MatrixXd rows = slope.topRows(n - 1) * scale.asDiagonal();
-    const Eigen::FullPivLU<Eigen::MatrixXd> parts(rows);
+    const FullFactors parts(rows);
     if (parts.rank() != n - 1) {
         return std::nullopt;
     }
