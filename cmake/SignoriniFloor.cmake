@@ -27,6 +27,9 @@ endfunction()
 # signorini_precompile(target): headers that nearly all sources include are read once for all targets,
 # in a debug build once more for those that it optimises less. Sources include what they use all the same.
 function(signorini_precompile target)
+  if(SIGNORINI_CORE_ONLY)  # other compilers, each once, some with a header of their own before all others
+    return()
+  endif()
   set(reader signorini_base)
   get_directory_property(options COMPILE_OPTIONS)
   if(CMAKE_BUILD_TYPE STREQUAL "Debug" AND options MATCHES "-O0")
