@@ -8,8 +8,6 @@
 
 namespace signorini::cli {
 
-struct ForceOptions;
-
 [[nodiscard]] ExitStatus runFind(const Given& given);
 [[nodiscard]] ExitStatus runContinuum(const Given& given);
 [[nodiscard]] ExitStatus runModes(const Given& given);
