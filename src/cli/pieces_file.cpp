@@ -6,6 +6,7 @@
 
 #include "arguments.hpp"
 #include "files.hpp"
+#include "given.hpp"
 #include "table.hpp"
 
 namespace signorini::cli {

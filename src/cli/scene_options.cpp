@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "faults.hpp"
+#include "given.hpp"
 #include "json.hpp"
 #include "signorini/output.hpp"
 
