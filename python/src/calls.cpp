@@ -10,11 +10,6 @@
 #include <thread>
 #include <utility>
 
-#include "excited_amplitude.hpp"
-#include "scene_harmonic_answer.hpp"
-#include "share_work.hpp"
-#include "units.hpp"
-
 namespace signorini::python {
 
 std::string nameOf(std::string_view option)

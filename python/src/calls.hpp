@@ -12,7 +12,6 @@
 
 #include "arrays.hpp"
 #include "call.hpp"
-#include "engine_names.hpp"
 #include "excited_names.hpp"
 #include "faults.hpp"
 #include "find_answer.hpp"
@@ -21,6 +20,7 @@
 #include "scene.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/output.hpp"
+#include "units.hpp"
 
 namespace signorini::python {
 
@@ -51,6 +51,11 @@ public:
     [[nodiscard]] std::string called(std::string_view option) const override
     {
         return nameOf(option);
+    }
+    [[nodiscard]] std::string with(std::string_view option, const std::string& value) const override
+    {
+        return numberIn(value, "-") ? fmt::format("{}={}", nameOf(option), value)
+                                    : fmt::format("{}=\"{}\"", nameOf(option), value);
     }
 
     /// \throws py::type_error naming the argument unless it is of this kind, or None;

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "continuum_answer.hpp"
-#include "demand_names.hpp"
 #include "question_answer.hpp"
 #include "scene_continuum_answer.hpp"
 #include "scene_figures.hpp"

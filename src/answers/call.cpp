@@ -5,7 +5,6 @@
 
 #include "excited_names.hpp"
 #include "options.hpp"
-#include "units.hpp"
 
 namespace signorini::answers {
 
@@ -37,14 +36,6 @@ void refuseIf(bool isWrong, std::string_view sentence)
     if (isWrong) {
         throw std::invalid_argument(std::string(sentence));
     }
-}
-
-std::string Call::with(std::string_view option, const std::string& value) const
-{
-    const std::string name = called(option);
-    return name.starts_with("--") ? fmt::format("{} {}", name, value)
-           : numberIn(value, "-") ? fmt::format("{}={}", name, value)
-                                  : fmt::format("{}=\"{}\"", name, value);
 }
 
 std::pair<std::string, std::string> Call::period() const

@@ -36,8 +36,10 @@ public:
     /// What it calls an option: --to, or to.
     [[nodiscard]] virtual std::string called(std::string_view option) const = 0;
 
-    /// How an option is given: --to 530Hz, or to="530Hz".
-    [[nodiscard]] std::string with(std::string_view option, const std::string& value) const;
+    /// How it is given a value: --to 530Hz, or to="530Hz".
+    [[nodiscard]] virtual std::string with(std::string_view option,
+                                           const std::string& value) const = 0;
+
     /// Which of --period, --frequency and --hertz, as it is called, and its number as text: none,
     /// one without the unit. \throws std::invalid_argument if several are given.
     [[nodiscard]] std::pair<std::string, std::string> period() const;

@@ -116,8 +116,6 @@ CommonOptions::CommonOptions(const Given& given)
       secondStop_(given.number("--second-stop")),
       given_(&given)
 {
-    bar_.length = given.number("--length").value_or(bar_.length);
-    bar_.gap = given.number("--gap").value_or(bar_.gap);
     if (given.has("--segments")) {
         segments_ = parseSegments("--segments", given.text("--segments"));
     }

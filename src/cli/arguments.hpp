@@ -134,7 +134,6 @@ private:
     std::string piecesFile_;
     mutable std::optional<PiecedBar> pieces_;  ///< kept: files may be pipes
     mutable std::optional<Assembly> assembly_;
-    Bar bar_;  ///< length and gap
     std::optional<double> secondStop_;
     std::vector<Segment> segments_;
     const Given* given_;

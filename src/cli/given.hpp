@@ -2,6 +2,8 @@
 /// \file
 /// A command line as the table of options reads it, and the help that it makes.
 
+#include <fmt/format.h>
+
 #include <map>
 #include <optional>
 #include <string>
@@ -44,6 +46,10 @@ public:
     [[nodiscard]] std::string called(std::string_view option) const override
     {
         return std::string(option);
+    }
+    [[nodiscard]] std::string with(std::string_view option, const std::string& value) const override
+    {
+        return fmt::format("{} {}", option, value);
     }
     /// The words after an option that takes several.
     [[nodiscard]] const std::vector<std::string>& all(std::string_view option) const;

@@ -57,13 +57,14 @@ const PiecedBar& CommonOptions::pieces() const
         constexpr std::array others{"--wave-speed", "--axial-stiffness", "--young", "--density",
                                     "--area",       "--diameter"};
         const bool isClash = !segments_.empty() || !sceneText.empty() ||
-                             bar_.length != Bar{}.length ||
+                             given_->number("--length").value_or(Bar{}.length) != Bar{}.length ||
                              std::any_of(others.begin(), others.end(),
                                          [this](const char* other) { return given_->has(other); });
         refuseIf(isClash,
                  "--segments-file clashes with --scene, --segments, --length, --wave-speed, "
                  "--axial-stiffness, --young, --density, --area: the file gives them");
-        pieces_ = barOfPieces(readPieces(piecesFile_), bar_.gap, cells.value_or(300));
+        pieces_ = barOfPieces(readPieces(piecesFile_), given_->number("--gap").value_or(Bar{}.gap),
+                              cells.value_or(300));
     }
     return *pieces_;
 }
