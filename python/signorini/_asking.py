@@ -36,9 +36,6 @@ _IN_WORDS = ('; or the words of several bars in a row, "clamp 60 dash=0.1 driven
              'clamp", whose scales are `length`, `wave_speed` and `axial_stiffness`, and whose '
              "damping is among the words")
 
-#: What options are called that are words of Python's own.
-_OPTIONS = {"start": "from"}
-
 #: What annotations mean.
 _KINDS = {"Steps": "int, pairs of int, or Schedule", "Segments": "list of Segment",
           "Number": "float, str or Fraction",
@@ -80,7 +77,7 @@ def _parameters(function: Any, question: str, told: dict[str, str]) -> str:
     for name in (*names[:count[0]], *stars, *names[count[0]:count[1]]):
         if name in ("self", "cls"):
             continue
-        said = _SAID.get(name, options.get(_OPTIONS.get(name, name), ""))
+        said = _SAID.get(name, options.get(name, ""))
         annotation = function.__annotations__[name]
         kind = _kind(name, annotation)
         if name == "scene":

@@ -7,6 +7,8 @@ import re
 import reprlib
 from typing import Any
 
+from . import _core
+
 #: What pybind11 says of arguments that fit no signature.
 _RAW = re.compile(r"incompatible (?:constructor|function) arguments\..*?"
                   r"\n    1\. (?P<signature>.*?)(?: -> .*)?\n", re.DOTALL)
@@ -24,6 +26,14 @@ def plainly(name: str, error: TypeError, args: Any,
     given += [f"{word}={reprlib.repr(value)}"
               for word, value in options.items()]
     return TypeError(f"{name}({', '.join(given)}): allowed {fits}")
+
+
+def in_python(words: str) -> str:
+    """The library's words with its names as Python has them: "maxOrder = 0 …" is of max_order, and
+    --max-order too."""
+    words = re.sub(r"--[a-z][a-z-]*", lambda found: _core.argument(found[0]), words)
+    return re.sub(r"(?<=[a-z])[A-Z](?=[^ \n,;:.()]* = )|(?<=e)S(?=peed)|(?<=l)S(?=tiffness)",
+                  lambda found: "_" + found[0].lower(), words)
 
 
 def _speaking(method: Any, name: str) -> Any:

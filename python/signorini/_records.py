@@ -9,6 +9,7 @@ from typing import Any
 
 from . import _core
 from ._core import Schedule
+from ._fields import have_fields
 from ._tables import Table, keys_of, plain
 
 #: Letters of a value in a text, and of all phases of a schedule.
@@ -221,6 +222,8 @@ def be_records() -> None:
     motion: Any = _core.Motion
     state.x = property(_places_of)
     motion.t, motion.x = property(_instants_of), property(_nodes_of)
+    for kind in (motion, _core.ModeMotion, _core.PolytopeMotion):
+        have_fields(kind)
     for kind, names in _MADE_OF.items():
         _document(kind, names)
     for kind in vars(_core).values():

@@ -81,12 +81,4 @@ double quantityOf(const std::string& name, const Quantity& given, const std::str
     return *value;
 }
 
-std::pair<py::array_t<double>, py::array_t<double>> stretched(const py::object& x,
-                                                              const py::object& t)
-{
-    return py::cast<std::pair<py::array_t<double>, py::array_t<double>>>(
-        py::module_::import("numpy").attr("broadcast_arrays")(numbersOf(x, "x"),
-                                                              numbersOf(t, "t")));
-}
-
 }  // namespace signorini::python

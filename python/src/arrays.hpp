@@ -88,10 +88,6 @@ template <typename F>
     return array;
 }
 
-/// Places and instants stretched to one shape, as NumPy does it.
-[[nodiscard]] std::pair<py::array_t<double>, py::array_t<double>> stretched(const py::object& x,
-                                                                            const py::object& t);
-
 /// f of each number: an array of their shape, or a number if it is one.
 template <typename F>
 [[nodiscard]] py::object onEach(const py::object& numbers, F f)

@@ -11,13 +11,17 @@
 #include "signorini/continuum.hpp"
 #include "state_table.hpp"
 
-namespace signorini::python {
+namespace signorini::answers {
 
 template <>
 inline constexpr std::tuple membersOf<FindAnswer>{&FindAnswer::result, &FindAnswer::target,
                                                   &FindAnswer::stability};
 template <>
 inline constexpr std::tuple membersOf<ContinuumAnswer>{&ContinuumAnswer::curve};
+
+}  // namespace signorini::answers
+
+namespace signorini::python {
 
 namespace {
 

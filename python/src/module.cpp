@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 #include "calls.hpp"
 #include "options.hpp"
@@ -13,31 +12,6 @@
 namespace signorini::python {
 
 namespace {
-
-/// The library's words with its names as Python has them: "maxOrder = 0 ..." is of max_order, and
-/// --max-order too.
-std::string inPython(std::string words)
-{
-    constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz-";
-    const auto isIn = [](char letter, char first, char last) {
-        return first <= letter && letter <= last;
-    };
-    for (std::size_t k = 0; k + 2 < words.size(); ++k) {
-        const std::string_view rest = std::string_view(words).substr(k);
-        if (rest.starts_with("--") && isIn(rest[2], 'a', 'z')) {
-            const std::size_t end = std::min(rest.find_first_not_of(letters), rest.size());
-            words.replace(k, end, nameOf(rest.substr(0, end)));
-        } else if (isIn(rest[0], 'a', 'z') && isIn(rest[1], 'A', 'Z')) {
-            const std::size_t end = std::min(rest.find_first_of(" \n,;:.()"), rest.size());
-            if (rest.substr(end).starts_with(" = ") || rest.starts_with("eSpeed") ||
-                rest.starts_with("lStiffness")) {
-                const int lower = std::tolower(static_cast<unsigned char>(rest[1]));
-                words.replace(k + 1, 1, {'_', static_cast<char>(lower)});
-            }
-        }
-    }
-    return words;
-}
 
 void addErrors(py::module_& module)
 {
@@ -51,7 +25,8 @@ void addErrors(py::module_& module)
         } catch (const FileError& error) {
             PyErr_SetString(PyExc_OSError, error.what());
         } catch (const std::invalid_argument& error) {
-            PyErr_SetString(PyExc_ValueError, inPython(error.what()).c_str());
+            const py::object words = py::module_::import("signorini._blame").attr("in_python");
+            PyErr_SetObject(PyExc_ValueError, words(error.what()).ptr());
         }
     });
 }
@@ -83,8 +58,7 @@ py::dict meaningsOf(const std::string& command)
 {
     py::dict meanings;
     for (const Option& option : options()) {
-        std::string name(option.name.substr(2));
-        std::replace(name.begin(), name.end(), '-', '_');
+        const std::string name = nameOf(option.name);
         const std::string commands = fmt::format(", {},", commandsOf(option.of));
         if (commands.find(fmt::format(", {},", command)) != std::string::npos &&
             !meanings.contains(name.c_str())) {
@@ -109,6 +83,8 @@ PYBIND11_MODULE(_core, module)
     module.def("palette", &colours);
     module.def("backends", &versionsOfBackends);
     module.def("options", &meaningsOf);
+    module.def("argument", &nameOf);
+    module.def("numbers", &numbersOf);
     module.def("quantity",
                [](const std::string& name, const std::string& text, const std::string& unit) {
                    return quantityOf(name, text, unit.empty() ? unitOfOption(name) : unit);

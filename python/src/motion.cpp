@@ -1,36 +1,36 @@
 #include "calls.hpp"
 
-namespace signorini::python {
+namespace signorini::answers {
 
+using python::GridMotion;
 template <>
 inline constexpr std::tuple membersOf<GridMotion>{&GridMotion::state, &GridMotion::schedule,
                                                   &GridMotion::scene, &GridMotion::bar};
 
-/// Motions are made anew of what they are the motions of.
-using KeptMode = std::tuple<Mode, Bar, double, double>;
-template <>
-inline void pass(Writer& to, const ModeAnswer& m)
+}  // namespace signorini::answers
+
+namespace signorini::python {
+
+// Motions are made anew of what they are the motions of.
+void pass(Pickler& to, const ModeAnswer& m)
 {
-    const KeptMode kept{m.mode, m.bar, m.motion.period(), m.gravity};
+    const double period = m.motion.period();
+    const auto kept = std::tie(m.mode, m.bar, period, m.gravity);
     pass(to, kept);
 }
-template <>
-inline ModeAnswer take(Reader& from)
+ModeAnswer made(Unpickler& from, Type<ModeAnswer>)
 {
-    const auto [mode, bar, period, gravity] = take<KeptMode>(from);
+    const auto [mode, bar, period, gravity] = take<std::tuple<Mode, Bar, double, double>>(from);
     return motionOf(mode, bar, period, gravity);
 }
-using KeptPolytope = std::tuple<ModePolytope, Bar, ModePoint>;
-template <>
-inline void pass(Writer& to, const PolytopeAnswer& m)
+void pass(Pickler& to, const PolytopeAnswer& m)
 {
-    const KeptPolytope kept{m.polytope, m.bar, m.point};
+    const auto kept = std::tie(m.polytope, m.bar, m.point);
     pass(to, kept);
 }
-template <>
-inline PolytopeAnswer take(Reader& from)
+PolytopeAnswer made(Unpickler& from, Type<PolytopeAnswer>)
 {
-    const auto [polytope, bar, point] = take<KeptPolytope>(from);
+    const auto [polytope, bar, point] = take<std::tuple<ModePolytope, Bar, ModePoint>>(from);
     return {polytope, bar, point, ModeMotion(polytope, point)};
 }
 
@@ -46,19 +46,6 @@ double speedOf(const std::vector<Segment>& segments, std::int64_t cell)
         cell -= segment.cells;
     }
     return 1.0;
-}
-
-/// Names what is outside the bar, or never, as the caller gave it.
-void requirePlace(double x, double t, double length, const char* unit)
-{
-    Faults faults;
-    if (!(x >= 0.0 && x <= length)) {
-        faults.add("x", x, fmt::format("0..{} [{}]", length, unit));
-    }
-    if (!std::isfinite(t)) {
-        faults.add("t", t, "finite numbers");
-    }
-    faults.throwIfAny();
 }
 
 /// The motion of a grid on x [L] and t [L/c].
@@ -87,45 +74,22 @@ const ModeMotion& fieldOf(const Answer& answer)
     return answer.motion;
 }
 
-/// Fields of a T that has a bar: in SI units, or without.
+/// Fields [g/L ...] at places [L] and instants [L/c], which the package makes methods of.
 template <typename T>
-void addFieldsOf(Record<T>& record, bool isRatio)
+void addFieldsOf(Record<T>& record)
 {
-    using Field = std::remove_cvref_t<decltype(fieldOf(std::declval<const T&>()))>;
-    const std::string suffix = isRatio ? "_ratio" : "";
-    const auto add = [&](const std::string& name, auto member, double Scales::*unit,
-                         const char* what, const char* units) {
-        const char* length = isRatio ? "L" : "m";
-        const std::string doc = fmt::format(
-            "{} [{}] at x [{}] and t [{}], any arrays that NumPy can broadcast together.", what,
-            units, length, isRatio ? "L/c" : "s");
-        record.can((name + suffix).c_str(), {"x", "t"}, doc.c_str(),
-                   [=](const T& motion, const py::object& x, const py::object& t) {
-                       const auto& field = fieldOf(motion);
-                       const Scales scale =
-                           isRatio ? Scales{1.0, 1.0, 1.0, 1.0, 1.0, 1.0} : scales(motion.bar);
-                       const double most = isRatio ? 1.0 : motion.bar.length;
-                       const auto [places, instants] = stretched(x, t);
-                       return py::object(py::vectorize([&](double place, double instant) {
-                           requirePlace(place, instant, most, length);
-                           return scale.*unit * (field.*member)(place / most, instant / scale.time);
-                       })(places, instants));
-                   });
+    const auto add = [&record](const char* name, auto valueOf) {
+        record.can(name, "", [valueOf](const T& motion, const Numbers& x, const Numbers& t) {
+            const auto& field = fieldOf(motion);
+            return py::object(py::vectorize([&](double place, double instant) {
+                return valueOf(field, place, instant);
+            })(x, t));
+        });
     };
-    add("displacement", &Field::displacement, &Scales::displacement, "u(x, t)",
-        isRatio ? "g" : "m");
-    add("velocity", &Field::velocity, &Scales::velocity, "v(x, t)", isRatio ? "c g/L" : "m/s");
-    add("strain", &Field::strain, &Scales::strain, "s(x, t), tension > 0,", isRatio ? "g/L" : "-");
-    record.can(("wall_force" + suffix).c_str(), {"t"},
-               isRatio ? "Force of the tip on the wall [EA g/L] at t [L/c], any array."
-                       : "Force of the tip on the wall [N] at t [s], any array; 0 in flight.",
-               [isRatio](const T& motion, const py::object& t) {
-                   const auto& field = fieldOf(motion);
-                   const double time = isRatio ? 1.0 : scales(motion.bar).time;
-                   const double unit = isRatio ? 1.0 : forceUnit(motion.bar);
-                   return onEach(
-                       t, [&](double instant) { return unit * field.wallForce(instant / time); });
-               });
+    add("_displacement", [](const auto& of, double x, double t) { return of.displacement(x, t); });
+    add("_velocity", [](const auto& of, double x, double t) { return of.velocity(x, t); });
+    add("_strain", [](const auto& of, double x, double t) { return of.strain(x, t); });
+    add("_wall_force", [](const auto& of, double, double t) { return of.wallForce(t); });
 }
 
 /// What motions of modes and of polytopes share.
@@ -151,8 +115,7 @@ void addMotionOf(py::module_& module)
              [](const Answer& m, std::int64_t cells) {
                  return StateOf{std::make_shared<const State>(cellMeans(m.motion, cells)), m.bar};
              });
-    addFieldsOf(record, false);
-    addFieldsOf(record, true);
+    addFieldsOf(record);
 }
 
 StateOf stateAt(const GridMotion& m, std::int64_t step)
@@ -226,8 +189,7 @@ void addMotion(py::module_& module)
                   return filled(field.steps(), [&](std::int64_t k) { return field.wallForce(k); });
               })
         .can("state_at", {"step"}, "The state right after t_m.", &stateAt);
-    addFieldsOf(record, false);
-    addFieldsOf(record, true);
+    addFieldsOf(record);
     addMotionOf<ModeAnswer>(module);
     addMotionOf<PolytopeAnswer>(module);
 }

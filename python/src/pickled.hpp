@@ -1,61 +1,28 @@
 #pragma once
 /// \file
-/// C++ values as bytes, and back: what a pickle holds. Two values are equal if their bytes are.
-/// Plain structs of the library go member by member, as C++ itself counts these.
+/// What a pickle holds: the bytes of a value (bytes.hpp), checked as they are read. Two objects are
+/// equal if these are.
 
 #include <pybind11/pybind11.h>
 
-#include <Eigen/Core>
 #include <algorithm>
-#include <array>
-#include <complex>
-#include <cstring>
-#include <limits>
 #include <string>
-#include <string_view>
-#include <tuple>
 #include <vector>
 
-#include "description.hpp"
+#include "bytes.hpp"
 #include "signorini/signorini.hpp"
+
+namespace signorini::answers {
+
+template <>
+inline constexpr std::tuple membersOf<Scene>{&Scene::bar, &Scene::secondStop, &Scene::segments};
+
+}  // namespace signorini::answers
 
 namespace signorini::python {
 
 namespace py = pybind11;
 using namespace answers;
-
-/// Pointers to the members of a T that count, where that is not simply all of them.
-template <typename T>
-inline constexpr std::tuple<> membersOf{};
-template <>
-inline constexpr std::tuple membersOf<Scene>{&Scene::bar, &Scene::secondStop, &Scene::segments};
-
-template <typename T>
-inline constexpr bool isListed = std::tuple_size_v<std::remove_const_t<decltype(membersOf<T>)>> > 0;
-
-/// Can two of them be compared, and pickled?
-template <typename T>
-inline constexpr bool isKept = isListed<T> || std::is_aggregate_v<T>;
-
-namespace detail {
-
-/// Becomes any member in a braced list.
-struct AnyMember {
-    template <typename T>
-    operator T() const;  // NOLINT: that it converts is its purpose
-};
-
-template <typename T, typename... Given>
-constexpr std::size_t countMembers()
-{
-    if constexpr (requires { T{Given{}..., AnyMember{}}; }) {
-        return countMembers<T, Given..., AnyMember>();
-    } else {
-        return sizeof...(Given);
-    }
-}
-
-}  // namespace detail
 
 /// An answer, and what Python has of it beside its keys.
 template <typename Answer, typename More>
@@ -68,227 +35,51 @@ void describe(D& d, Type<With<Answer, More>>)
     describe(d, Type<Answer>());
 }
 
-/// Calls a function with all members of a value, in the order of their declaration.
-template <typename T, typename Do>
-constexpr void withMembers(T& value, Do doWith)
-{
-    using Plain = std::remove_const_t<T>;
-    if constexpr (isListed<Plain>) {
-        std::apply([&](auto... member) { doWith(value.*member...); }, membersOf<Plain>);
-    } else if constexpr (isA<Plain, With>) {
-        [&]<typename Answer, typename More>(const With<Answer, More>&) {
-            using Base = std::conditional_t<std::is_const_v<T>, const Answer, Answer>;
-            withMembers(static_cast<Base&>(value), doWith);
-        }(value);
-        doWith(value.more);
-    } else {
-        constexpr std::size_t count = detail::countMembers<Plain>();
-        static_assert(count > 0 && count <= 21, "as many as there are lines here");
-#define SIGNORINI_IF_MEMBERS(number, ...) \
-    if constexpr (count == (number)) {    \
-        auto& [__VA_ARGS__] = value;      \
-        doWith(__VA_ARGS__);              \
-    }
-        SIGNORINI_IF_MEMBERS(1, a)
-        SIGNORINI_IF_MEMBERS(2, a, b)
-        SIGNORINI_IF_MEMBERS(3, a, b, c)
-        SIGNORINI_IF_MEMBERS(4, a, b, c, d)
-        SIGNORINI_IF_MEMBERS(5, a, b, c, d, e)
-        SIGNORINI_IF_MEMBERS(6, a, b, c, d, e, f)
-        SIGNORINI_IF_MEMBERS(7, a, b, c, d, e, f, g)
-        SIGNORINI_IF_MEMBERS(8, a, b, c, d, e, f, g, h)
-        SIGNORINI_IF_MEMBERS(9, a, b, c, d, e, f, g, h, i)
-        SIGNORINI_IF_MEMBERS(10, a, b, c, d, e, f, g, h, i, j)
-        SIGNORINI_IF_MEMBERS(11, a, b, c, d, e, f, g, h, i, j, k)
-        SIGNORINI_IF_MEMBERS(12, a, b, c, d, e, f, g, h, i, j, k, l)
-        SIGNORINI_IF_MEMBERS(13, a, b, c, d, e, f, g, h, i, j, k, l, m)
-        SIGNORINI_IF_MEMBERS(14, a, b, c, d, e, f, g, h, i, j, k, l, m, n)
-        SIGNORINI_IF_MEMBERS(15, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o)
-        SIGNORINI_IF_MEMBERS(16, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p)
-        SIGNORINI_IF_MEMBERS(17, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q)
-        SIGNORINI_IF_MEMBERS(18, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r)
-        SIGNORINI_IF_MEMBERS(19, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s)
-        SIGNORINI_IF_MEMBERS(20, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t)
-        SIGNORINI_IF_MEMBERS(21, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u)
-#undef SIGNORINI_IF_MEMBERS
-    }
-}
+struct Pickler : Writer {};
 
-/// \throws ValueError that says so.
-[[noreturn]] void refusePickle();
-
-/// Where values go.
-struct Writer {
-    static constexpr bool reads = false;
-    bool isCompared = false;  ///< then without stopwatches; a zero has no sign, and NaN is NaN
-    std::string bytes = {};
-
-    template <typename Number>
-    void raw(Number number)
+struct Unpickler : Reader {
+    /// \throws std::invalid_argument on what is none of the library's values.
+    template <typename T>
+    static void check(const T& value)
     {
-        if constexpr (std::is_floating_point_v<Number>) {
-            const Number same =
-                number == number ? number + Number{0} : std::numeric_limits<Number>::quiet_NaN();
-            number = isCompared ? same : number;
+        bool isReal = true;
+        if constexpr (std::is_same_v<T, State>) {
+            isReal = value.a.size() == value.b.size();
+        } else if constexpr (std::is_same_v<T, Mode>) {
+            isReal = findMode(value.a, value.b, value.gapSign) == value;
+        } else if constexpr (std::is_same_v<T, ModePolytope>) {
+            const std::vector<ModePolytope> real = polytopesOf(value.chains);
+            isReal = std::find(real.begin(), real.end(), value) != real.end();
+        } else if constexpr (std::is_enum_v<T> && requires { name(value); }) {
+            (void)name(value);  // throws where there is none
+        } else if constexpr (requires { validate(value); }) {
+            validate(value);
         }
-        bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
+        if (!isReal) {
+            refuse();
+        }
     }
 };
 
-/// Where they come from. \throws ValueError at the end of it.
-struct Reader {
-    static constexpr bool reads = true;
-    std::string_view bytes;
-
-    template <typename Number>
-    void raw(Number& number)
-    {
-        if (bytes.size() < sizeof number ||
-            (std::is_same_v<Number, bool> && static_cast<unsigned char>(bytes.front()) > 1)) {
-            refusePickle();
-        }
-        std::memcpy(&number, bytes.data(), sizeof number);
-        bytes.remove_prefix(sizeof number);
-    }
-};
-
-template <typename T>
-inline constexpr bool isArray = false;
-template <typename T, std::size_t size>
-inline constexpr bool isArray<std::array<T, size>> = true;
-
-/// Is it a list of a length of its own?
-template <typename T>
-inline constexpr bool isList =
-    isA<T, std::vector> || std::is_same_v<T, std::string> || std::is_same_v<T, Eigen::VectorXd>;
-
-/// \throws ValueError on what is none of the library's values.
-template <typename T>
-void check(const T& value)
-{
-    bool isReal = true;
-    if constexpr (std::is_same_v<T, State>) {
-        isReal = value.a.size() == value.b.size();
-    } else if constexpr (std::is_same_v<T, Mode>) {
-        isReal = findMode(value.a, value.b, value.gapSign) == value;
-    } else if constexpr (std::is_same_v<T, ModePolytope>) {
-        const std::vector<ModePolytope> real = polytopesOf(value.chains);
-        isReal = std::find(real.begin(), real.end(), value) != real.end();
-    } else if constexpr (std::is_enum_v<T> && requires { name(value); }) {
-        (void)name(value);  // throws where there is none
-    } else if constexpr (requires { validate(value); }) {
-        validate(value);
-    }
-    if (!isReal) {
-        refusePickle();
-    }
-}
-
 template <typename Bytes, typename T>
-void pass(Bytes& at, T& value);
-
-/// The next value of a type.
-template <typename T>
-[[nodiscard]] T take(Reader& from)
-{
-    T value{};
-    pass(from, value);
-    return value;
-}
-
-/// How many, and each: what is there, or as many as are said to come.
-template <typename Bytes, typename List>
-void passList(Bytes& at, List& list)
-{
-    using Item = typename List::value_type;
-    auto left = static_cast<std::uint64_t>(list.size());
-    at.raw(left);
-    if constexpr (Bytes::reads) {
-        std::vector<Item> items;
-        for (; left > 0; --left) {
-            items.push_back(take<Item>(at));
-        }
-        if constexpr (std::is_same_v<List, Eigen::VectorXd>) {
-            list = Eigen::VectorXd::Map(items.data(), static_cast<Eigen::Index>(items.size()));
-        } else {
-            list.assign(items.begin(), items.end());
-        }
-    } else {
-        for (const Item& item : list) {
-            pass(at, item);
-        }
-    }
-}
-
-/// Which of a variant, and that.
-template <typename Bytes, typename Variant, std::size_t... k>
-void passVariant(Bytes& at, Variant& value, std::index_sequence<k...>)
-{
-    auto index = static_cast<std::uint64_t>(value.index());
-    at.raw(index);
-    if constexpr (Bytes::reads) {
-        if (!((index == k && (value.template emplace<k>(), true)) || ...)) {
-            refusePickle();
-        }
-    }
-    std::visit([&at](auto& held) { pass(at, held); }, value);
-}
-
-/// A value into a Writer, or out of a Reader.
-template <typename Bytes, typename T>
+requires isA<std::remove_const_t<T>, With>
 void pass(Bytes& at, T& value)
 {
-    using Plain = std::remove_const_t<T>;
-    const auto passEach = [&at](auto&... member) { (pass(at, member), ...); };
-    if constexpr (std::is_arithmetic_v<Plain> || std::is_enum_v<Plain>) {
-        at.raw(value);
-    } else if constexpr (std::is_same_v<Plain, std::complex<double>>) {
-        std::array parts{value.real(), value.imag()};
-        pass(at, parts);
-        if constexpr (Bytes::reads) {
-            value = {parts[0], parts[1]};
-        }
-    } else if constexpr (isA<Plain, std::optional>) {
-        bool isThere = value.has_value();
-        at.raw(isThere);
-        if constexpr (Bytes::reads) {
-            if (isThere) {
-                value = take<typename Plain::value_type>(at);
-            }
-        } else if (isThere) {
-            pass(at, *value);
-        }
-    } else if constexpr (isA<Plain, std::variant>) {
-        passVariant(at, value, std::make_index_sequence<std::variant_size_v<Plain>>());
-    } else if constexpr (std::is_same_v<Plain, std::shared_ptr<const NetworkForced>>) {
-        // What a set was decided with is solved for anew.
-    } else if constexpr (isA<Plain, std::shared_ptr>) {
-        using Held = typename Plain::element_type;
-        if constexpr (Bytes::reads) {
-            value = std::make_shared<Held>(take<std::remove_const_t<Held>>(at));
-        } else {
-            pass(at, *value);
-        }
-    } else if constexpr (isArray<Plain> || isA<Plain, std::tuple> || isA<Plain, std::pair>) {
-        std::apply(passEach, value);
-    } else if constexpr (isList<Plain>) {
-        passList(at, value);
-    } else if constexpr (!Bytes::reads && requires { value.seconds; }) {
-        Plain timeless = value;
-        timeless.seconds = at.isCompared ? 0.0 : value.seconds;
-        withMembers(timeless, passEach);
-    } else {
-        withMembers(value, passEach);
-    }
-    if constexpr (Bytes::reads) {
-        check(value);
-    }
+    [&]<typename Answer, typename More>(const With<Answer, More>&) {
+        pass(at, static_cast<std::conditional_t<std::is_const_v<T>, const Answer, Answer>&>(value));
+    }(value);
+    pass(at, value.more);
 }
+
+/// What a set was decided with is solved for anew.
+template <typename Bytes, typename T>
+requires std::is_same_v<std::remove_const_t<T>, std::shared_ptr<const NetworkForced>>
+void pass(Bytes&, T&) {}
 
 template <typename T>
 [[nodiscard]] std::string bytesOf(const T& value, bool isCompared)
 {
-    Writer to{isCompared};
+    Pickler to{isCompared};
     pass(to, value);
     return to.bytes;
 }

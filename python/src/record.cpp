@@ -74,9 +74,4 @@ void ClassOfRecord::addBytes(BytesOf bytes, MadeOf made)
                          py::name("__setstate__"), method, py::detail::is_new_style_constructor());
 }
 
-void refusePickle()
-{
-    throw py::value_error("a pickle that was damaged, or is of another version of signorini");
-}
-
 }  // namespace signorini::python

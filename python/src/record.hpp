@@ -4,7 +4,7 @@
 ///
 /// Each key is said once: it becomes a read-only property with its docstring, a line of `to_dict`
 /// and a word of `repr`, which the package makes of `_keys`. Structs whose members are listed
-/// (pickled.hpp) can be compared, hashed, copied and pickled.
+/// (bytes.hpp) can be compared, hashed, copied and pickled.
 
 #include <pybind11/stl.h>
 
@@ -146,10 +146,10 @@ public:
                     return bytesOf(py::cast<const T&>(value), isCompared);
                 },
                 [](std::string_view bytes) -> void* {
-                    Reader from{bytes};
+                    Unpickler from{bytes};
                     auto value = std::make_unique<T>(take<T>(from));
                     if (!from.bytes.empty()) {
-                        refusePickle();
+                        Reader::refuse();
                     }
                     return value.release();
                 });

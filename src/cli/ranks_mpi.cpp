@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cstring>
 #include <exception>
 #include <mutex>
 #include <optional>
@@ -11,9 +10,9 @@
 #include <string>
 #include <string_view>
 #include <thread>
-#include <type_traits>
 #include <utility>
 
+#include "bytes.hpp"
 #include "ranks.hpp"
 
 namespace signorini::cli {
@@ -42,62 +41,6 @@ enum Tag : int {
 void rest()
 {
     std::this_thread::sleep_for(std::chrono::microseconds(100));
-}
-
-/// A batch travels as bytes between processes of one program.
-struct Packing {
-    std::string bytes = {};
-
-    template <typename Value>
-    void put(Value* values, std::size_t count)
-    {
-        static_assert(std::is_trivially_copyable_v<Value>);
-        if (count > 0) {
-            bytes.append(reinterpret_cast<const char*>(values), count * sizeof(Value));
-        }
-    }
-    void size(const auto& list)
-    {
-        const std::size_t count = list.size();
-        put(&count, 1);
-    }
-};
-
-struct Unpacking {
-    const char* at;
-
-    template <typename Value>
-    void put(Value* values, std::size_t count)
-    {
-        if (count > 0) {
-            std::memcpy(values, at, count * sizeof(Value));
-        }
-        at += count * sizeof(Value);
-    }
-    void size(auto& list)
-    {
-        std::size_t count = 0;
-        put(&count, 1);
-        list.resize(count);
-    }
-};
-
-/// Number and tally, then families, rows and proofs, each list with its length.
-void travel(auto& bytes, auto& batch)
-{
-    const auto list = [&bytes](auto& values) {
-        bytes.size(values);
-        bytes.put(values.data(), values.size());
-    };
-    bytes.put(&batch.number, 1);
-    bytes.put(&batch.tally, 1);
-    list(batch.families);
-    list(batch.rows);
-    bytes.size(batch.proofs);
-    for (auto& proof : batch.proofs) {
-        bytes.put(&proof.number, 1);
-        list(proof.multipliers);
-    }
 }
 
 /// What has arrived from a rank, or from anyone.
@@ -193,10 +136,8 @@ private:
             hasEnded_[static_cast<std::size_t>(rank)] = true;
             return std::nullopt;
         }
-        AtlasBatch batch;
-        Unpacking bytes{message->bytes.data()};
-        travel(bytes, batch);
-        return batch;
+        answers::Reader from{message->bytes};
+        return answers::take<AtlasBatch>(from);
     }
 
     int count_;
@@ -313,8 +254,8 @@ bool Ranks::serve(std::int64_t threads, const Cancel& cancel)
         LocalBatches own(range, threads, cancel, std::stoll(call.substr(0, mark)) + rank_, count_);
         std::optional<AtlasBatch> batch;
         while (isWanted && (batch = own.next())) {
-            Packing packed;
-            travel(packed, std::as_const(*batch));
+            answers::Writer packed;
+            pass(packed, *batch);
             const std::string& bytes = packed.bytes;
             MPI_Request request = MPI_REQUEST_NULL;
             MPI_Isend(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, 0, tagBatch,
