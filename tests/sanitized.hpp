@@ -5,7 +5,9 @@
 
 #include <cstdlib>
 
-#if defined(__SANITIZE_ADDRESS__)
+// Defined for what is not watched itself, but calls what is.
+#if defined(SIGNORINI_IS_SANITIZED)
+#elif defined(__SANITIZE_ADDRESS__)
 #define SIGNORINI_IS_SANITIZED 1
 #elif defined(__has_feature)
 #if __has_feature(address_sanitizer)
