@@ -32,12 +32,12 @@ SCENES = {
     "stepped": "--segments 6:1,6:2",
     "two bars": "--scene 'clamp 6 gap=1e-3 6 clamp'",
     "flying": "--scene 'stop=1e-3 8 stop=1e-3'",
-    "soft root": "--scene 'spring=2 12 stop=1e-3'",
+    "soft root": "--scene 'spring=2 6 stop=1e-3'",
 }
 DRIVEN = {
     "two bars": "--scene 'clamp 6 dash=0.2 driven gap=1e-3 6 clamp'",
     "flying": "--scene 'stop=1e-3 8 dash=0.2 driven stop=1e-3'",
-    "soft root": "--scene 'spring=2 12 dash=0.2 driven stop=1e-3'",
+    "soft root": "--scene 'spring=2 6 dash=0.2 driven stop=1e-3'",
 }
 FORCE = "--damping 0.02 --force tip --amplitude 2e-3"
 #: On scenes of several bars dashpots stand among the words.
@@ -54,8 +54,8 @@ QUESTIONS = {
     "The motion of a mode": ("mode", "4 -1 --period 3.14", "mode"),
     "An atlas": ("atlas", "--database {folder}/new.sqlite --max-contact 4 --max-free 8", "Atlas"),
     "A query of an atlas": ("atlas", "--database {folder}/known.sqlite --period 4", "Atlas"),
-    "Response to a staircase of forces": ("response", "{force} --from 1 --to 1.3", "response"),
-    "Response to the harmonic itself": ("response", "--exact {force} --from 1.05 --to 1.1", "exact_response"),
+    "Response to a staircase of forces": ("response", "{force} --from 1 --to 1.1", "response"),
+    "Response to the harmonic itself": ("response", "--exact {force} --from 1.05 --to 1.06", "exact_response"),
     "Simulation": ("simulate", "--rest --periods 2 --frequency 1 {force}", "simulate"),
     "Sweep": ("sweep", "--periods 5 --points 2 --from 1 --to 1.1 {force}", "sweep"),
 }
@@ -88,7 +88,7 @@ OTHERS = set("""--help --period --frequency --hertz --from --to --direction --da
     --resume --near --twins --scene --cells --length --wave-speed --axial-stiffness --gap --second-stop --segments
     --segments-file --young --density --area --diameter --format --quiet --verbose --progress""".split())
 #: Schedules with states of several bars.
-STATES = {"two bars": "1:6 -:18", "flying": "1:2 -:6 2:2 -:6", "soft root": "1:4 -:50"}
+STATES = {"two bars": "1:6 -:18", "flying": "1:2 -:6 2:2 -:6", "soft root": "1:3 -:24"}
 #: What a demand needs beside it to mean anything.
 WITH = {("find", "--target"): "--objective nearest", ("continuum", "--member"): "--state {folder}/state_out.csv",
         ("continuum", "--state"): "--member 0", ("response", "--band"): "--contacts 2",

@@ -409,6 +409,8 @@ struct ModePoint {
 /// Points that span all motions of one period: the motions are their means, ends excluded.
 /// \throws std::invalid_argument unless lowest < T < highest.
 [[nodiscard]] std::vector<ModePoint> slice(const ModePolytope& polytope, double period);
+/// Their mean. \throws as slice.
+[[nodiscard]] ModePoint middle(const ModePolytope& polytope, double period);
 
 /// Contact and flight in turn, 2K lengths [L/c].
 /// \throws std::invalid_argument unless the point has K - 1 arrivals.

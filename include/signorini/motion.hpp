@@ -160,6 +160,9 @@ public:
     [[nodiscard]] double velocity(std::int64_t cell, std::int64_t instant) const;
     /// s on cell i in 1..N right after t_m, in units of g/L.
     [[nodiscard]] double strain(std::int64_t cell, std::int64_t instant) const;
+    /// The state right after t_m, m in 0..n. O(N). \throws std::invalid_argument on another
+    /// instant.
+    [[nodiscard]] State stateAt(std::int64_t instant) const;
     /// Force on the wall in step m in 0..n-1, 2 p_m + F in contact and 0 in flight [EA g/L];
     /// negative at the second stop. What rounding leaves of a zero, 1e-9 of the largest |p|, is no
     /// force.

@@ -88,10 +88,13 @@ class Atlas:
         """The runs, completed or interrupted."""
         return Table("runs", self._file.runs())
 
-    def _rows(self, question: str, *asked: Any) -> Table[Any]:
-        """Families or schedules that answer a question."""
-        rows = getattr(self._file, question)(*asked)
-        return Table(question.split("_")[0], rows, **self._units)
+    def _rows(self, name: str, cells: int | None, near: tuple[Number, float, float] | None = None,
+              period: Number | None = None) -> Table[Any]:
+        """Families or schedules, all or those that are asked for."""
+        point = near and (float(fraction_of(near[0], "frequency_ratio")), *near[1:])
+        exact = None if period is None else fraction_of(period, "period").as_integer_ratio()
+        rows = getattr(self._file, name)(cells, point, exact)
+        return Table(name, rows, **self._units)
 
     def families(self, cells: int | None = None) -> Table[AtlasFamily]:
         """Return the sets of orbits of all grids, or of one."""
@@ -117,27 +120,23 @@ class Atlas:
         cells : int, optional
             Of one grid.
         """
-        w = float(fraction_of(frequency_ratio, "frequency_ratio"))
-        return self._rows("families_near", w, energy_ratio, within, cells)
+        return self._rows("families", cells, (frequency_ratio, energy_ratio, within))
 
     def schedules_near(self, frequency_ratio: Number, energy_ratio: float, *,
                        within: float = 0.001,
                        cells: int | None = None) -> Table[AtlasSchedule]:
         """Return the schedules near a point of the plot, as `near` does."""
-        w = float(fraction_of(frequency_ratio, "frequency_ratio"))
-        return self._rows("schedules_near", w, energy_ratio, within, cells)
+        return self._rows("schedules", cells, (frequency_ratio, energy_ratio, within))
 
     def of_period(self, period: Number, *,
                   cells: int | None = None) -> Table[AtlasFamily]:
         """Return the families of one period, as 3.5 or "7/2" [L/c]."""
-        exact = fraction_of(period, "period")
-        return self._rows("families_of_period", exact.numerator, exact.denominator, cells)
+        return self._rows("families", cells, period=period)
 
     def schedules_of_period(self, period: Number, *,
                             cells: int | None = None) -> Table[AtlasSchedule]:
         """Return the schedules of one period, including refuted ones."""
-        exact = fraction_of(period, "period")
-        return self._rows("schedules_of_period", exact.numerator, exact.denominator, cells)
+        return self._rows("schedules", cells, period=period)
 
     def twins(self, cells: int | None = None
               ) -> list[tuple[list[AtlasFamily], list[AtlasSchedule]]]:

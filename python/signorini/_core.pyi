@@ -47,7 +47,8 @@ class Bar(_Record):
                  axial_stiffness: Optional[Quantity] = ..., gap: Quantity = ...,
                  young: Optional[Quantity] = ...,
                  density: Optional[Quantity] = ...,
-                 area: Optional[Quantity] = ...) -> None: ...
+                 area: Optional[Quantity] = ...,
+                 diameter: Optional[Quantity] = ...) -> None: ...
     def __hash__(self) -> int: ...
     length: float
     wave_speed: float

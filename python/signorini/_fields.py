@@ -31,6 +31,11 @@ def _finite(t: Any) -> Any:
     return instants
 
 
+def _cells_of(motion: Any) -> int:
+    """In which the compiled fields count lengths and times: 1 on no grid."""
+    return getattr(motion, "cells", 1)
+
+
 def _field(name: str, unit: str, doc: str, length: str, time: str) -> Callable[..., Any]:
     is_ratio = length == "L"
 
@@ -43,7 +48,8 @@ def _field(name: str, unit: str, doc: str, length: str, time: str) -> Callable[.
                               f"0..{most:.10g} [{length}]")
         if fault:
             raise ValueError(fault)
-        return scale * getattr(self, f"_{name}")(places / most, instants / second)
+        cells = _cells_of(self)
+        return scale * getattr(self, f"_{name}")(places / most * cells, instants / second * cells)
 
     at.__name__ = at.__qualname__ = name
     at.__doc__ = (f"{doc} at x [{length}] and t [{time}], any arrays that NumPy can broadcast "
@@ -53,12 +59,12 @@ def _field(name: str, unit: str, doc: str, length: str, time: str) -> Callable[.
 
 def _wall_force(self: Any, t: Any) -> Any:
     """Force of the tip on the wall [N] at t [s], any array; 0 in flight."""
-    return self.bar.force_unit * self._wall_force(0.0, _finite(t) / self.bar.time_unit)
+    return self.bar.force_unit * _wall_force_ratio(self, _finite(t) / self.bar.time_unit)
 
 
 def _wall_force_ratio(self: Any, t: Any) -> Any:
     """Force of the tip on the wall [EA g/L] at t [L/c], any array."""
-    return self._wall_force(0.0, _finite(t))
+    return self._wall_force(0.0, _finite(t) * _cells_of(self))
 
 
 def have_fields(kind: Any) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import marshal
+import reprlib
 import zlib
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any
@@ -11,6 +12,7 @@ from . import _core
 from ._core import Schedule
 from ._fields import have_fields
 from ._tables import Table, keys_of, plain
+from ._words import require_of_bar
 
 #: Letters of a value in a text, and of all phases of a schedule.
 LONGEST, ALL_PHASES = 60, 120
@@ -196,7 +198,7 @@ def _nodes_of(motion: _core.Motion) -> Any:
 
 #: What the classes that people make take.
 _MADE_OF: dict[Any, str] = {
-    _core.Bar: "length wave_speed axial_stiffness gap young density area",
+    _core.Bar: "length wave_speed axial_stiffness gap young density area diameter",
     _core.Segment: "cells impedance speed dashpot", Schedule: "*steps cells",
     _core.Scene: "bar second_stop segments", _core.State: "a b bar segments",
     _core.Motion: "state schedule scene"}
@@ -215,8 +217,21 @@ def _document(kind: Any, names: str) -> None:
                               "    If a value is out of its range, or two of them clash."])
 
 
+def _by_name(make: Any) -> Any:
+    """The same of a bar, whose arguments have names."""
+    def init(self: Any, *args: Any, **options: Any) -> None:
+        if args:
+            raise TypeError(f"Bar({', '.join(map(reprlib.repr, args))}): allowed Bar(*, "
+                            f"{_MADE_OF[_core.Bar].replace(' ', ', ')})")
+        require_of_bar(options)
+        make(self, **options)
+    return init
+
+
 def be_records() -> None:
     """Give the compiled classes what all records have."""
+    bar: Any = _core.Bar
+    bar.__init__ = _by_name(bar.__init__)
     state: Any = _core.State
     schedule: Any = Schedule
     motion: Any = _core.Motion

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import difflib
-import math
 import operator
 import os
 import reprlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from numbers import Integral
 from typing import Any, Literal, Union
@@ -87,18 +86,17 @@ def bar_of(bar: Bar | None, options: Mapping[str, Quantity | None]) -> Bar:
     if bar is not None:
         names = ", ".join(given)
         raise ValueError(f"bar clashes with {names}: allowed one of them")
-    for name in given:
+    return Bar(**given)
+
+
+def require_of_bar(names: Iterable[str]) -> None:
+    """TypeError if one of them is no argument of a bar."""
+    for name in names:
         if name not in _OF_BAR:
             near = difflib.get_close_matches(name, arguments, 1)
             meant = f"; did you mean {near[0]}?" if near and near[0] != name else ""
             raise TypeError(f"{name} is not an argument here: of a bar these are "
                             f"{', '.join(_OF_BAR)}{meant}")
-    if "diameter" in given:
-        diameter = number("diameter", given.pop("diameter"), "m")
-        if "area" in given:
-            raise ValueError("area clashes with diameter: allowed one of them")
-        given["area"] = 0.25 * math.pi * diameter * diameter
-    return Bar(**given)
 
 
 def scene_of(scene: Scene | None, bar: Bar | None, second_stop: Quantity | None,

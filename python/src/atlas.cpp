@@ -42,26 +42,31 @@ using End = std::optional<double>;  ///< of an axis
 template <typename Result, typename... Given>
 void addQuestion(py::class_<Atlas, SharedAtlas>& shown, const char* name,
                  const std::array<const char*, sizeof...(Given)>& names,
-                 Result (*question)(const Atlas&, const Wires&, Given...))
+                 Result (*question)(const Atlas&, const Watch&, Given...))
 {
     const auto asking = [question](const SharedAtlas& atlas, Given... given) {
-        return patiently(py::none(), [=](const Wires& wires) {
+        return patiently(py::none(), [=](const Watch& watch) {
             const std::lock_guard lock(atlas->mutex);
-            return question(*atlas, wires, given...);
+            return question(*atlas, watch, given...);
         });
     };
     std::apply([&](auto... word) { shown.def(name, asking, py::arg(word)...); }, names);
 }
 
+using Near = std::optional<std::array<double, 3>>;  ///< omega/omega_1, E/E_1, within
+using Period = std::optional<std::tuple<std::int64_t, std::int64_t>>;  ///< a fraction
+
+constexpr auto fraction = [](std::int64_t p, std::int64_t q) { return exactPeriod(p, q); };
+
 /// Visits each row that `visit` shows, until the call is cancelled.
 template <typename Row, typename Visit>
-std::vector<Row> allRows(const Wires& wires, const AtlasUnits& units, Visit visit)
+std::vector<Row> allRows(const Watch& watch, const AtlasUnits& units, Visit visit)
 {
     struct Cancelled {};
     std::vector<Row> rows;
     try {
         visit([&](const auto& one) {
-            if (wires.cancel()) {
+            if (watch.cancel()) {
                 throw Cancelled();
             }
             rows.push_back({one, units});
@@ -72,28 +77,46 @@ std::vector<Row> allRows(const Wires& wires, const AtlasUnits& units, Visit visi
     return rows;
 }
 
+std::vector<AtlasFamilyOf> familiesOf(const Atlas& a, const Watch& watch, Cells cells,
+                                      const Near& near, const Period& period)
+{
+    const AtlasDatabase& all = a.database;
+    if (near) {
+        const auto [w, e, within] = *near;
+        return withUnits(all.familiesNear(a.onGrid(w), e, within, cells), a.units, e);
+    }
+    return period ? withUnits(all.familiesOfPeriod(std::apply(fraction, *period), cells), a.units)
+                  : allRows<AtlasFamilyOf>(
+                        watch, a.units, [&](const auto& keep) { all.forEachFamily(cells, keep); });
+}
+
+std::vector<AtlasEntryOf> schedulesOf(const Atlas& a, const Watch& watch, Cells cells,
+                                      const Near& near, const Period& period)
+{
+    const AtlasDatabase& all = a.database;
+    if (near) {
+        const auto [w, e, within] = *near;
+        return withUnits(all.schedulesNear(a.onGrid(w), e, within, cells), a.units);
+    }
+    return period ? withUnits(all.schedulesOfPeriod(std::apply(fraction, *period), cells), a.units)
+                  : allRows<AtlasEntryOf>(watch, a.units,
+                                          [&](const auto& keep) { all.forEachFound(cells, keep); });
+}
+
 void addAtlasFile(py::module_& module)
 {
     py::class_<Atlas, SharedAtlas> shown(module, "AtlasFile", "A database opened for asking.");
     shown.def(py::init<const std::string&, const Bar&>(), py::arg("database"), py::arg("bar"));
     addQuestion(
-        shown, "runs", {}, +[](const Atlas& a, const Wires&) { return a.database.runs(); });
+        shown, "runs", {}, +[](const Atlas& a, const Watch&) { return a.database.runs(); });
     addQuestion(
         shown, "has_families", {},
-        +[](const Atlas& a, const Wires&) { return hasFamilies(a.database.runs()); });
-    addQuestion(
-        shown, "families", {"cells"}, +[](const Atlas& a, const Wires& wires, Cells cells) {
-            return allRows<AtlasFamilyOf>(
-                wires, a.units, [&](const auto& keep) { a.database.forEachFamily(cells, keep); });
-        });
-    addQuestion(
-        shown, "schedules", {"cells"}, +[](const Atlas& a, const Wires& wires, Cells cells) {
-            return allRows<AtlasEntryOf>(
-                wires, a.units, [&](const auto& keep) { a.database.forEachFound(cells, keep); });
-        });
+        +[](const Atlas& a, const Watch&) { return hasFamilies(a.database.runs()); });
+    addQuestion(shown, "families", {"cells", "near", "period"}, &familiesOf);
+    addQuestion(shown, "schedules", {"cells", "near", "period"}, &schedulesOf);
     addQuestion(
         shown, "frequency_energy_figure", {"cells", "left", "right", "top", "max_order"},
-        +[](const Atlas& a, const Wires&, Cells cells, End left, End right, End top,
+        +[](const Atlas& a, const Watch&, Cells cells, End left, End right, End top,
             std::int64_t order) {
             return frequencyEnergyFigure(a.database, cells,
                                          {.maxFrequencyRatio = right,
@@ -103,31 +126,11 @@ void addAtlasFile(py::module_& module)
                                           .maxOrder = order});
         });
     addQuestion(
-        shown, "existence_figure", {"cells"}, +[](const Atlas& a, const Wires&, Cells cells) {
+        shown, "existence_figure", {"cells"}, +[](const Atlas& a, const Watch&, Cells cells) {
             return existenceFigure(a.database, cells);
         });
     addQuestion(
-        shown, "families_near", {"frequency_ratio", "energy_ratio", "within", "cells"},
-        +[](const Atlas& a, const Wires&, double w, double e, double within, Cells cells) {
-            return withUnits(a.database.familiesNear(a.onGrid(w), e, within, cells), a.units, e);
-        });
-    addQuestion(
-        shown, "schedules_near", {"frequency_ratio", "energy_ratio", "within", "cells"},
-        +[](const Atlas& a, const Wires&, double w, double e, double within, Cells cells) {
-            return withUnits(a.database.schedulesNear(a.onGrid(w), e, within, cells), a.units);
-        });
-    addQuestion(
-        shown, "families_of_period", {"period", "denominator", "cells"},
-        +[](const Atlas& a, const Wires&, std::int64_t p, std::int64_t q, Cells cells) {
-            return withUnits(a.database.familiesOfPeriod(exactPeriod(p, q), cells), a.units);
-        });
-    addQuestion(
-        shown, "schedules_of_period", {"period", "denominator", "cells"},
-        +[](const Atlas& a, const Wires&, std::int64_t p, std::int64_t q, Cells cells) {
-            return withUnits(a.database.schedulesOfPeriod(exactPeriod(p, q), cells), a.units);
-        });
-    addQuestion(
-        shown, "twins", {"cells"}, +[](const Atlas& a, const Wires&, Cells cells) {
+        shown, "twins", {"cells"}, +[](const Atlas& a, const Watch&, Cells cells) {
             std::vector<std::tuple<std::vector<AtlasFamilyOf>, std::vector<AtlasEntryOf>>> groups;
             for (const Twins& twins : a.database.twins(cells)) {
                 groups.emplace_back(withUnits(twins.families, a.units),
@@ -146,10 +149,10 @@ AtlasRun build(const Asked& asked)
     AtlasOptions options{.threads = asked.get<std::int64_t>("threads"),
                          .resume = asked.get<bool>("resume"),
                          .options = "Python"};
-    const auto job = [=](const Wires& wires) mutable {
-        options.cancel = wires.cancel;
-        options.progress = [&wires](const AtlasRun& run) {
-            wires.progress(static_cast<double>(run.nextBatch), static_cast<double>(run.batches));
+    const auto job = [=](const Watch& watch) mutable {
+        options.cancel = watch.cancel;
+        options.progress = [&watch](const AtlasRun& run) {
+            watch.show(static_cast<double>(run.nextBatch), static_cast<double>(run.batches));
         };
         AtlasDatabase database = AtlasDatabase::create(path, options.cancel);
         return buildAtlas(database, range, options);

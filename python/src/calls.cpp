@@ -85,18 +85,6 @@ std::optional<double> Asked::number(std::string_view option) const
     return value;
 }
 
-Assembly assemblyIn(const std::string& words, const Bar& bar, double gravity)
-{
-    const Assembly assembly{.parts = partsOf(words),
-                            .length = bar.length,
-                            .waveSpeed = bar.waveSpeed,
-                            .axialStiffness = bar.axialStiffness,
-                            .gravity = gravity,
-                            .young = bar.young};
-    validate(assembly);
-    return assembly;
-}
-
 Assembly Asked::assembly() const
 {
     return assemblyIn(get<std::string>("words"), scene().bar, get<double>("gravity"));
@@ -146,15 +134,15 @@ void listen(Shared& shared, const py::object& progress)
 
 }  // namespace
 
-void runPatiently(const py::object& progress, std::function<void(const Wires&)> job, bool canBeLeft)
+void runPatiently(const py::object& progress, std::function<void(const Watch&)> job, bool canBeLeft)
 {
     const auto shared = std::make_shared<Shared>();
-    const Wires wires{[shared] { return shared->isCancelled.load(std::memory_order_relaxed); },
+    const Watch watch{[shared] { return shared->isCancelled.load(std::memory_order_relaxed); },
                       [shared](double done, double total) {
                           const std::lock_guard lock(shared->mutex);
                           shared->news = {done, total};
                       }};
-    std::packaged_task<void()> task([wires, job = std::move(job)] { job(wires); });
+    std::packaged_task<void()> task([watch, job = std::move(job)] { job(watch); });
     std::future<void> work = task.get_future();
     std::thread worker(std::move(task));
     try {

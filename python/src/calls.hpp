@@ -18,17 +18,16 @@
 #include "mapped.hpp"
 #include "names.hpp"
 #include "scene.hpp"
+#include "scene_answer.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/output.hpp"
 #include "units.hpp"
+#include "watch.hpp"
 
 namespace signorini::python {
 
 /// An option as an argument: "--from" is "start".
 [[nodiscard]] std::string nameOf(std::string_view option);
-
-/// Bars in a row, scaled by one. \throws std::invalid_argument.
-[[nodiscard]] Assembly assemblyIn(const std::string& words, const Bar& bar, double gravity = 0.0);
 
 /// Arguments of one call, by their names or those of the program's options; what is None was not
 /// given.
@@ -67,15 +66,15 @@ public:
         if (held.is_none()) {
             return std::nullopt;
         }
-        if constexpr (std::is_same_v<T, double>) {
-            if (py::isinstance<py::str>(held)) {
-                const double value =
-                    quantityOf(nameOf(name), py::cast<std::string>(held), unitOfOption(name));
-                requireFits(name, value);
-                return value;
-            }
-        }
         try {
+            if constexpr (std::is_same_v<T, double>) {
+                if (py::isinstance<py::str>(held)) {
+                    const double value =
+                        quantityOf(nameOf(name), py::cast<std::string>(held), unitOfOption(name));
+                    requireFits(name, value);
+                    return value;
+                }
+            }
             const auto value = py::cast<T>(held);
             if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) {
                 requireFits(name, static_cast<double>(value));
@@ -138,65 +137,37 @@ private:
     [[noreturn]] void refuseKind(std::string_view name, const char* kind) const;
 };
 
-/// What a job may use: to ask whether it is to end, and to say how far it is.
-struct Wires {
-    Cancel cancel;
-    std::function<void(double done, double total)> progress;
-
-    /// Options of the library that end and tell so.
-    template <typename Options>
-    [[nodiscard]] Options on(Options options) const
-    {
-        options.cancel = cancel;
-        if constexpr (requires { options.progress; }) {
-            options.progress = progress;
-        }
-        return options;
-    }
-};
-
 /// Long calls: Python stays alive, Ctrl-C ends them, and they say how far they are.
 ///
 /// The job is done by a thread of its own without Python's lock; the calling thread looks every 10
 /// ms whether a signal came and hands progress on. So nothing in the library waits for Python, and
 /// a callback is called in the thread that called us. A job that does not stop within 40 ms of an
 /// interrupt is left to end by itself unless it says otherwise: it owns all that it uses.
-void runPatiently(const py::object& progress, std::function<void(const Wires&)> job,
+void runPatiently(const py::object& progress, std::function<void(const Watch&)> job,
                   bool canBeLeft);
 
 /// The same for a job with a result.
 template <typename Job>
 [[nodiscard]] auto patiently(const py::object& progress, Job job, bool canBeLeft = true)
 {
-    using Result = decltype(job(std::declval<const Wires&>()));
+    using Result = decltype(job(std::declval<const Watch&>()));
     const auto result = std::make_shared<std::optional<Result>>();
+    const auto own = std::make_shared<Job>(std::move(job));  // which need not be copied
     runPatiently(
-        progress, [result, job](const Wires& wires) mutable { result->emplace(job(wires)); },
-        canBeLeft);
+        progress, [=](const Watch& watch) { result->emplace((*own)(watch)); }, canBeLeft);
     return std::move(**result);
 }
 template <typename Job>
 [[nodiscard]] auto patiently(const Asked& asked, Job job)
 {
-    return patiently(asked.object("progress"), job);
+    return patiently(asked.object("progress"), std::move(job));
 }
 
-/// What `find(wires)` answers, tried beside its motions if "stability" is asked for.
-/// \throws std::invalid_argument where a period then has too many steps.
-template <typename Find>
-[[nodiscard]] auto findPatiently(const Asked& asked, std::int64_t steps, Find find)
+/// A call of the module: the question that is made of its arguments, answered.
+template <typename Make>
+void addCall(py::module_& module, const char* name, Make make)
 {
-    const bool triesStability = asked.get<bool>("stability");
-    if (triesStability) {
-        requireTried(steps);
-    }
-    return patiently(asked, [=](const Wires& wires) {
-        auto answer = find(wires);
-        if (triesStability) {
-            tryStability(answer, wires.cancel);
-        }
-        return answer;
-    });
+    module.def(name, [make](const Asked& asked) { return patiently(asked, make(asked)); });
 }
 
 void addScene(py::module_& module);

@@ -48,7 +48,7 @@ void addResult(py::module_& module)
              [](const FindAnswer& a) { return isProof(a.result); });
 }
 
-/// Calls that end at once stay in the calling thread.
+/// Searches that end at once stay in the calling thread.
 bool isQuick(const Schedule& schedule, const FindOptions& options)
 {
     constexpr std::int64_t fewCells = 5000;
@@ -71,21 +71,17 @@ struct Search {
     }
     [[nodiscard]] FindAnswer find(const Asked& asked, const Schedule& schedule) const
     {
-        if (!asked.get<bool>("stability") && isQuick(schedule, options)) {
-            const py::gil_scoped_release release;
-            return answerOf(findPeriodic(schedule, options), options, how);
+        const auto question =
+            tried<FindAnswer>(asked, steps(schedule), [=, of = *this](const Watch& watch) {
+                return answerOf(findPeriodic(schedule, watch.on(of.options)), of.options, of.how);
+            });
+        if (asked.has("stability") || !isQuick(schedule, options)) {
+            return patiently(asked, question);
         }
-        return findPatiently(asked, steps(schedule), [=, of = *this](const Wires& wires) {
-            return answerOf(findPeriodic(schedule, wires.on(of.options)), of.options, of.how);
-        });
+        const py::gil_scoped_release release;
+        return question({});
     }
 };
-
-FindAnswer find(const Asked& asked)
-{
-    const Schedule schedule = asked.schedule();
-    return Search(asked).find(asked, schedule);
-}
 
 /// Of a period, a motion of each set.
 py::dict findPeriod(const Asked& asked)
@@ -135,127 +131,29 @@ void addCurve(py::module_& module)
         .draws([](const ContinuumAnswer& c) { return continuumFigure(*c.curve); });
 }
 
-ContinuumAnswer continuum(const Asked& asked)
-{
-    const Schedule schedule = asked.schedule();
-    requireCurve(asked);
-    const Scene scene = asked.scene();
-    const double ratio = energyAsked(asked, scene.bar).value();
-    const ContinuumOptions options = continuumAsked(
-        asked, scene, [&](const char* option) { return *asked.get<StateOf>(option).value; });
-    return patiently(asked, [=](const Wires& wires) {
-        return ContinuumAnswer{
-            std::make_shared<const Continuum>(traceContinuum(schedule, ratio, wires.on(options)))};
-    });
-}
-
 /// Bars, and their schedule if a call has one.
-struct AskedBars {
-    Assembly assembly;
-    Network network;
-    std::vector<ContactSpan> schedule = {};
-
-    explicit AskedBars(const Asked& asked)
-        : assembly(asked.assembly()), network(networkOf(assembly))
-    {
-        if (asked.has("steps")) {
-            schedule = spansOf(py::cast<std::vector<std::string>>(asked.object("steps")),
-                               network.contacts.size());
-        }
-        limitStrain(network, assembly, asked.number("--strain-limit"));
+BarsAsked barsIn(const Asked& asked)
+{
+    BarsAsked bars(asked, asked.assembly());
+    if (asked.has("steps")) {
+        bars.spans =
+            spansOf(asked.get<std::vector<std::string>>("steps"), bars.network.contacts.size());
     }
-    [[nodiscard]] std::vector<double> wavesIn(const std::string& file) const
-    {
-        return readNearestWaves(file, network, barOf(assembly));
-    }
-};
-
-/// What is asked of a motion of them.
-NetworkWish wishOf(const Asked& asked, const AskedBars& of, Objective objective)
-{
-    NetworkWish wish{.objective = objective, .energy = energyAsked(asked, of.network)};
-    if (const auto file = asked.maybe<std::string>("target")) {
-        wish.target = of.wavesIn(*file);
-    }
-    return wish;
-}
-
-SceneFindAnswer findInBars(const Asked& asked)
-{
-    const AskedBars of(asked);
-    const FindOptions options = searchAsked(asked);
-    const NetworkWish wish = wishOf(asked, of, options.objective);
-    return findPatiently(asked, stepsOf(of.schedule), [=](const Wires& wires) {
-        return answerOf(of.assembly, of.network, of.schedule, wish, wires.on(options));
-    });
-}
-
-SceneQuestionAnswer findPeriodInBars(const Asked& asked)
-{
-    const AskedBars of(asked);
-    const std::int64_t steps = stepsAsked(asked, of.assembly, 1);
-    const FindOptions options = searchAsked(asked);
-    const NetworkWish wish = wishOf(asked, of, options.objective);
-    return findPatiently(asked, steps, [=](const Wires& wires) {
-        return questionOf(of.assembly, of.network, steps, wish, wires.on(options), wires.progress);
-    });
-}
-
-SceneForcedAnswer findForcedInBars(const Asked& asked)
-{
-    const AskedBars of(asked);
-    const ForceOptions force(asked);
-    const Forcing forcing{asked.place(), asked.get<std::int64_t>("cycles"), {}};
-    return findPatiently(asked, stepsOf(of.schedule), [=](const Wires&) {
-        return forcedAnswerOf(of.assembly, of.network, of.schedule, forcing, force.amplitude,
-                              force.derivative);
-    });
+    return bars;
 }
 
 /// Waves of a point of another curve, or in a file.
-std::optional<std::vector<double>> wavesOf(const Asked& asked, const char* name,
-                                           const AskedBars& of)
+WavesOf wavesIn(const Asked& asked)
 {
-    if (!asked.has(name)) {
-        return std::nullopt;
-    }
-    if (py::isinstance<SceneCurvePoint>(asked.object(name))) {
-        return asked.get<SceneCurvePoint>(name).point().motion.waves;
-    }
-    return of.wavesIn(asked.get<std::string>(name));
-}
-
-SceneContinuumAnswer continuumInBars(const Asked& asked)
-{
-    const AskedBars of(asked);
-    requireCurve(asked);
-    const double energy = energyAsked(asked, of.network).value();
-    const NetworkCurveOptions options =
-        continuumAsked(asked, [&](const char* option) { return wavesOf(asked, option, of); });
-    return patiently(asked, [=](const Wires& wires) {
-        return continuumOf(of.assembly, of.network, of.schedule, energy, wires.on(options));
-    });
-}
-
-/// A motion of bars, and the schedule that it follows.
-struct MotionInBars {
-    const SceneSchedule& of;
-    const NetworkClaim& motion;
-};
-MotionInBars motionIn(const SceneFindAnswer& answer, std::size_t)
-{
-    if (!answer.motions.motion) {
-        throw std::invalid_argument("no motion was found: there is nothing to draw or write");
-    }
-    return {answer.schedule, *answer.motions.motion};
-}
-MotionInBars motionIn(const SceneForcedAnswer& answer, std::size_t which)
-{
-    return {answer.schedule, answer.motions.at(which).claim};
-}
-MotionInBars motionIn(const SceneCurvePoint& point, std::size_t)
-{
-    return {point.of->schedule, point.point().motion};
+    return [&asked](const char* name, const BarsAsked& bars) -> std::optional<std::vector<double>> {
+        if (!asked.has(name)) {
+            return std::nullopt;
+        }
+        if (py::isinstance<SceneCurvePoint>(asked.object(name))) {
+            return asked.get<SceneCurvePoint>(name).point().motion.waves;
+        }
+        return readNearestWaves(asked.get<std::string>(name), bars.network, barOf(bars.assembly));
+    };
 }
 
 /// Pictures and files of the motions of an answer.
@@ -264,21 +162,22 @@ void addMotions(Record<Answer>&& record)
 {
     record
         .draws([](const Answer& a, std::size_t which) {
-            const auto [of, motion] = motionIn(a, which);
-            return periodFigure(of.network(), motion, of.bars.assembly.length);
+            const SceneSchedule& of = a.followed();
+            return periodFigure(of.network(), a.claim(which), of.bars.assembly.length);
         })
         .moves([](const Answer& a, std::size_t most, std::size_t which) {
-            const auto [of, motion] = motionIn(a, which);
+            const SceneSchedule& of = a.followed();
             const Network network = of.network();
-            return barsFrames(of.bars.assembly, network, shownPeriod(network, motion), most);
+            return barsFrames(of.bars.assembly, network, shownPeriod(network, a.claim(which)),
+                              most);
         })
         .more()
         .def(
             "write",
             [](const Answer& a, const std::string& path, std::size_t which) {
-                const auto [of, motion] = motionIn(a, which);
+                const NetworkClaim& motion = a.claim(which);
                 OutputFiles files;
-                writeStateTable(files.stage(path), of.network(),
+                writeStateTable(files.stage(path), a.followed().network(),
                                 {motion.waves, motion.displacements});
                 files.commit();
             },
@@ -309,13 +208,23 @@ void addFind(py::module_& module)
                  return SceneCurvePoint{c.of, pointAt(c.curve(), lambda)};
              })
         .draws(&sceneContinuumFigure);
-    module.def("find", &find);
+    module.def("find",
+               [](const Asked& asked) { return Search(asked).find(asked, asked.schedule()); });
     module.def("find_period", &findPeriod);
-    module.def("continuum", &continuum);
-    module.def("find_bars", &findInBars);
-    module.def("continuum_bars", &continuumInBars);
-    module.def("find_period_bars", &findPeriodInBars);
-    module.def("find_forced_bars", &findForcedInBars);
+    addCall(module, "continuum", [](const Asked& asked) {
+        return continuumAsked(asked, asked.scene(), asked.schedule(), [&](const char* option) {
+            return *asked.get<StateOf>(option).value;
+        });
+    });
+    addCall(module, "find_bars",
+            [](const Asked& asked) { return motionAsked(asked, barsIn(asked), wavesIn(asked)); });
+    addCall(module, "continuum_bars", [](const Asked& asked) {
+        return continuumAsked(asked, barsIn(asked), wavesIn(asked));
+    });
+    addCall(module, "find_period_bars",
+            [](const Asked& asked) { return periodAsked(asked, barsIn(asked), wavesIn(asked)); });
+    addCall(module, "find_forced_bars",
+            [](const Asked& asked) { return forcedAsked(asked, barsIn(asked)); });
 }
 
 }  // namespace signorini::python

@@ -21,44 +21,22 @@ namespace {
 
 void addMotionOf(py::module_& module)
 {
-    Record<ForcedMotionOf>(module)
-        .has("impulse_ratio", "[EA g/c] a period.",
-             [](const ForcedMotionOf& m) { return m.value.extremes.impulse; })
-        .has("peak_force_ratio", "[EA g/L]",
-             [](const ForcedMotionOf& m) { return m.value.extremes.peakForce; })
-        .has("tip_lowest_ratio", "[g]",
-             [](const ForcedMotionOf& m) { return m.value.extremes.lowestTip; })
-        .has("state", "At the start of contact: a State.",
-             [](const std::shared_ptr<ForcedMotionOf>& m) {
-                 return StateOf{{m, &m->value.state}, m->bar, m->segments};
-             });
+    Record<ForcedMotionOf>(module).has(
+        "state", "At the start of contact: a State.", [](const std::shared_ptr<ForcedMotionOf>& m) {
+            return StateOf{{m, &m->value.state}, m->bar, m->segments};
+        });
 }
 
-ForcedAnswer findForced(const Asked& asked)
+Question<ForcedAnswer> forced(const Asked& asked)
 {
     const Scene scene = asked.scene();
     Schedule schedule = asked.schedule();
     schedule.stops = stopsOf(scene);
     validate(schedule);
-    const auto question = forcedAsked(asked, scene, schedule);
-    return findPatiently(asked, steps(schedule), [=](const Wires&) { return question(); });
+    return forcedAsked(asked, scene, schedule);
 }
 
-HarmonicAnswer findHarmonic(const Asked& asked)
-{
-    const Scene scene = asked.scene();
-    validate(scene);
-    const auto question = harmonicAsked(asked, scene, asked.cells());
-    return patiently(asked, [=](const Wires& wires) { return question(wires.cancel); });
-}
-
-SceneHarmonicAnswer findHarmonicBars(const Asked& asked)
-{
-    const auto question = harmonicAsked(asked, asked.assembly());
-    return patiently(asked, [=](const Wires& wires) { return question(wires.cancel); });
-}
-
-ForceRange forceRange(const Asked& asked)
+Question<ForceRange> forceRange(const Asked& asked)
 {
     const Assembly assembly = asked.assembly();
     const double low = quantityOf("low", asked.get<Quantity>("low"), "N");
@@ -67,35 +45,28 @@ ForceRange forceRange(const Asked& asked)
     if (!(low <= high && std::isfinite(high - low))) {
         throwFault("low, high", fmt::format("{}, {}", low, high), "finite low <= high [N]");
     }
-    return patiently(asked, [=](const Wires&) { return forceRangeOf(assembly, low, high, time); });
+    return [=](const Watch&) { return forceRangeOf(assembly, low, high, time); };
 }
 
 /// What is answered at each frequency of a range, on threads.
 template <typename Answer, typename Range, typename At>
-Answer overFrequencies(const Asked& asked, Answer answer, Range range, At at)
+Question<Answer> overFrequencies(const Asked& asked, Answer answer, Range range, At at)
 {
     const auto threads = asked.get<std::int64_t>("threads");
-    return patiently(asked, [=](const Wires& wires) mutable {
+    return [=](const Watch& watch) mutable {
         answer.frequencies = shareOut(
-            stepsOf(range), threads, [&](std::int64_t n) { return at(answer, n, wires.cancel); },
-            wires.progress);
+            stepsOf(range), threads, [&](std::int64_t n) { return at(answer, n, watch.cancel); },
+            watch.show);
         if constexpr (requires { answer.branches; }) {
-            answer.branches = exactBranches(range, answer.frequencies, wires.cancel);
+            answer.branches = exactBranches(range, answer.frequencies, watch.cancel);
         }
         return answer;
-    });
+    };
 }
 
-ResponseAnswer ofBar(const Asked& asked)
+Question<ResponseAnswer> response(const Asked& asked)
 {
-    const Scene scene = asked.scene();
-    validate(scene);
-    return responseAsked(asked, scene, asked.cells());
-}
-
-ResponseAnswer response(const Asked& asked)
-{
-    const ResponseAnswer answer = ofBar(asked);
+    const ResponseAnswer answer = responseAsked(asked, asked.scene(), asked.cells());
     const bool stability = asked.has("stability");
     return overFrequencies(asked, answer, answer.range, [=](const auto& of, auto n, auto cancel) {
         return frequencyAt(of.range, n, stability, cancel);
@@ -103,9 +74,9 @@ ResponseAnswer response(const Asked& asked)
 }
 
 /// Under the harmonic itself in place of a staircase.
-ExactAnswer exactResponse(const Asked& asked)
+Question<ExactAnswer> exactResponse(const Asked& asked)
 {
-    const ResponseAnswer like = ofBar(asked);
+    const ResponseAnswer like = responseAsked(asked, asked.scene(), asked.cells());
     refuseIf(
         like.range.derivative > 0,
         "amplitude_velocity, amplitude_acceleration: allowed only of several bars or segments");
@@ -114,7 +85,7 @@ ExactAnswer exactResponse(const Asked& asked)
         [](const auto& of, auto n, auto cancel) { return exactAt(of.range, n, cancel); });
 }
 
-SceneResponse responseOfBars(const Asked& asked)
+Question<SceneResponse> responseOfBars(const Asked& asked)
 {
     const SceneResponse answer = responseAsked(asked, asked.assembly());
     return overFrequencies(asked, answer, answer, [](const auto& of, auto n, auto cancel) {
@@ -138,7 +109,7 @@ void addForced(py::module_& module)
             const Motion field = fieldOf(a.motions.at(k).value, a.scene.segments);
             return motionFrames(MotionSamples(field, a.scene), most);
         });
-    module.def("find_forced", &findForced);
+    addCall(module, "find_forced", &forced);
     const auto field = [](const HarmonicAnswer& a, std::size_t k) {
         return HarmonicField(a.given(), a.motions.at(k).value);
     };
@@ -149,24 +120,26 @@ void addForced(py::module_& module)
         .moves([field](const HarmonicAnswer& a, std::size_t most, std::size_t k) {
             return motionFrames(MotionSamples(field(a, k), a.scene, usualCells), most);
         });
-    module.def("find_harmonic", &findHarmonic);
+    addCall(module, "find_harmonic",
+            [](const Asked& asked) { return harmonicAsked(asked, asked.scene(), asked.cells()); });
     Record<SceneHarmonicAnswer>(module)
         .draws([](const SceneHarmonicAnswer& a, std::size_t k) { return harmonicFigure(a, k); })
         .moves([](const SceneHarmonicAnswer& a, std::size_t most, std::size_t k) {
             return barsFrames(a.bars.assembly, networkOf(a.bars.assembly), shownPeriod(a, k), most);
         });
-    module.def("find_harmonic_bars", &findHarmonicBars);
-    module.def("force_range", &forceRange);
+    addCall(module, "find_harmonic_bars",
+            [](const Asked& asked) { return harmonicAsked(asked, asked.assembly()); });
+    addCall(module, "force_range", &forceRange);
     Record<ResponseAnswer>(module).draws([](const ResponseAnswer& answer) {
         return responseFigure(answer.frequencies, answer.range, answer.bar);
     });
-    module.def("response", &response);
+    addCall(module, "response", &response);
     Record<ExactAnswer>(module).draws([](const ExactAnswer& answer) {
         return exactFigure(answer.frequencies, answer.branches, answer.range, answer.bar);
     });
-    module.def("exact_response", &exactResponse);
+    addCall(module, "exact_response", &exactResponse);
     Record<SceneResponse>(module).draws(&sceneResponseFigure);
-    module.def("response_bars", &responseOfBars);
+    addCall(module, "response_bars", &responseOfBars);
 }
 
 }  // namespace signorini::python

@@ -8,24 +8,22 @@ namespace {
 
 void addFamily(py::module_& module)
 {
-    Record<FamilyOf>(module)
-        .has("bar", "Its units.", &FamilyOf::bar)
-        .can("schedule", {"cells"}, "That has the whole set on N cells. ValueError unless w | 2N.",
-             [](const FamilyOf& f, std::int64_t cells) {
-                 return signorini::scheduleOf(f.value, cells);
-             });
+    Record<FamilyOf>(module).can("schedule", {"cells"},
+                                 "That has the whole set on N cells. ValueError unless w | 2N.",
+                                 [](const FamilyOf& f, std::int64_t cells) {
+                                     return signorini::scheduleOf(f.value, cells);
+                                 });
 }
 
 /// What modes and polytopes share.
 template <typename T>
 void addShape(Record<T>& record)
 {
-    record.has("bar", "Its units.", &T::bar)
-        .can("energy_ratio", {"period_ratio"},
-             "E/E_1 at T [L/c], any array. ValueError outside the interval.",
-             [](const T& shape, const py::object& periods) {
-                 return onEach(periods, [&](double t) { return energyRatio(shape.value, t); });
-             });
+    record.can("energy_ratio", {"period_ratio"},
+               "E/E_1 at T [L/c], any array. ValueError outside the interval.",
+               [](const T& shape, const py::object& periods) {
+                   return onEach(periods, [&](double t) { return energyRatio(shape.value, t); });
+               });
 }
 
 void addMode(py::module_& module)
@@ -33,8 +31,6 @@ void addMode(py::module_& module)
     Record<ModeOf> record(module);
     addShape(record);
     record
-        .has("kappa", "E/E_1 = 1/(kappa T - mu)^2.", [](const ModeOf& m) { return m.value.kappa; })
-        .has("mu", "See kappa.", [](const ModeOf& m) { return m.value.mu; })
         .can("contact_time_ratio", {"period_ratio"},
              "t_c [L/c] at T [L/c], any array. ValueError as above.",
              [](const ModeOf& m, const py::object& periods) {
@@ -67,17 +63,8 @@ Bar barAtRest(const Asked& asked)
 
 py::dict families(const Asked& asked)
 {
-    FamilyList list;
-    list.maxOrder = asked.get<std::int64_t>("max_order");
-    list.bar = barAtRest(asked);
-    list.gravity = asked.get<double>("gravity");
-    FamilyBounds bounds{.gapSign = stopsOf(list.bar).right};
-    asked.read("--max-energy-ratio", bounds.maxEnergyRatio);
-    list.maxEnergyRatio = bounds.maxEnergyRatio;
-    return dictionaryOf(patiently(asked, [=](const Wires& wires) mutable {
-        fill(list, wires.on(bounds), {.right = bounds.gapSign}, wires.progress);
-        return list;
-    }));
+    return dictionaryOf(
+        patiently(asked, familiesAsked(asked, barAtRest(asked), asked.get<double>("gravity"))));
 }
 
 /// Those with one contact, or what several fill.
@@ -86,16 +73,9 @@ py::dict modes(const Asked& asked)
     const Bar bar = barAtRest(asked);
     const double gravity = asked.get<double>("gravity");
     const auto phases = asked.get<std::int64_t>("phases");
-    const ModeBounds bounds = modesAsked(asked, phases, bar);
-    if (phases == 1) {
-        return dictionaryOf(patiently(asked, [=](const Wires& wires) {
-            return ModeList{bounds, bar, findModes(wires.on(bounds)), true, gravity};
-        }));
-    }
-    return dictionaryOf(patiently(asked, [=](const Wires& wires) {
-        return PolytopeList{phases, bounds, bar, findPolytopes(phases, wires.on(bounds)),
-                            true,   gravity};
-    }));
+    return phases == 1
+               ? dictionaryOf(patiently(asked, modesAsked(asked, bar, gravity)))
+               : dictionaryOf(patiently(asked, polytopesAsked(asked, phases, bar, gravity)));
 }
 
 ModeOf mode(const Asked& asked)
@@ -136,34 +116,10 @@ FigureData planeAsFigure(std::int64_t maxOrder, double left, double right, doubl
         {.maxFrequencyRatio = right, .maxEnergyRatio = top, .leastFrequencyRatio = left});
 }
 
-/// An array with a row for each list; all are of one length.
-py::array_t<double> rowsOf(const std::vector<ModePoint>& points, std::size_t columns)
-{
-    py::array_t<double> array({points.size(), columns});
-    double* to = array.mutable_data();
-    for (const ModePoint& point : points) {
-        to = std::copy(point.arrivals.begin(), point.arrivals.end(), to);
-    }
-    return array;
-}
-
-/// The mean of the corners at one period, where nothing else is asked for.
-std::vector<double> middle(const ModePolytope& polytope, double period)
-{
-    const std::vector<ModePoint> corners = slice(polytope, period);
-    std::vector<double> mean(polytope.chains.size() - 1, 0.0);
-    for (const ModePoint& corner : corners) {
-        for (std::size_t l = 0; l < mean.size(); ++l) {
-            mean[l] += corner.arrivals[l] / static_cast<double>(corners.size());
-        }
-    }
-    return mean;
-}
-
 PolytopeAnswer polytopeMotion(const PolytopeOf& p, double period,
                               const std::optional<std::vector<double>>& arrivals)
 {
-    const ModePoint point{period, arrivals ? *arrivals : middle(p.value, period)};
+    const ModePoint point = arrivals ? ModePoint{period, *arrivals} : middle(p.value, period);
     return {p.value, p.bar, point, ModeMotion(p.value, point)};
 }
 
@@ -171,20 +127,19 @@ void addPolytope(py::module_& module)
 {
     Record<PolytopeOf> record(module);
     addShape(record);
-    record.has("phases", "K.", [](const PolytopeOf& p) { return p.value.chains.size(); })
+    record
         .can("slice", {"period_ratio"},
              "Arrivals s_2 ... s_K [L/c] at the corners of T [L/c], an array of shape (corners, "
              "K - 1): the motions of this period are their means, ends excluded. ValueError "
              "outside the interval.",
              [](const PolytopeOf& p, double period) {
-                 return rowsOf(slice(p.value, period), p.value.chains.size() - 1);
+                 return Numbers(py::cast(mapped(slice(p.value, period), &ModePoint::arrivals)));
              })
         .can("stretches", {"period_ratio", "arrivals"},
              "Contact and flight in turn, 2K lengths [L/c]. ValueError unless there are K - 1 "
              "arrivals.",
              [](const PolytopeOf& p, double period, const std::vector<double>& arrivals) {
-                 const auto times = stretches(p.value, {period, arrivals});
-                 return py::array_t<double>(static_cast<py::ssize_t>(times.size()), times.data());
+                 return Numbers(py::cast(stretches(p.value, {period, arrivals})));
              })
         .can("schedules", {"cells", "steps"},
              "On N cells, of the motions with T = steps/cells L/c, one for each orbit.",
@@ -201,7 +156,7 @@ std::optional<PolytopeOf> polytope(const Asked& asked)
 {
     const Schedule schedule = asked.schedule();
     const Bar bar = asked.bar();
-    const auto found = patiently(asked, [=](const Wires&) { return polytopeOf(schedule); });
+    const auto found = patiently(asked, [=](const Watch&) { return polytopeOf(schedule); });
     return found ? std::optional(PolytopeOf{*found, bar}) : std::nullopt;
 }
 

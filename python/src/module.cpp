@@ -62,11 +62,7 @@ py::dict meaningsOf(const std::string& command)
         const std::string commands = fmt::format(", {},", commandsOf(option.of));
         if (commands.find(fmt::format(", {},", command)) != std::string::npos &&
             !meanings.contains(name.c_str())) {
-            const bool hasUnit =
-                option.unit != "-" && option.sentence.find('[') == std::string::npos;
-            meanings[name.c_str()] = fmt::format(
-                "{}{}{}.", option.sentence, option.takes == Takes::choice ? ": " + option.type : "",
-                hasUnit ? fmt::format(" [{}]", option.unit) : std::string());
+            meanings[name.c_str()] = option.meaning();
         }
     }
     return meanings;

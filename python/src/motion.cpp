@@ -36,60 +36,26 @@ PolytopeAnswer made(Unpickler& from, Type<PolytopeAnswer>)
 
 namespace {
 
-/// Of waves in a cell, 1..N, relative to the first segment.
-double speedOf(const std::vector<Segment>& segments, std::int64_t cell)
+/// Fields [g/L ...] of which the package makes methods, at places and instants in which the bar has
+/// a length of its cells, or of 1, and waves cross it in as much.
+template <typename T, typename Of, typename Field>
+void addFieldsOf(Record<T>& record, Of fieldOf, double (Field::*displacement)(double, double) const,
+                 double (Field::*velocity)(double, double) const,
+                 double (Field::*strain)(double, double) const,
+                 double (Field::*wallForce)(double) const)
 {
-    for (const Segment& segment : segments) {
-        if (cell <= segment.cells) {
-            return segment.speed / segments.front().speed;
-        }
-        cell -= segment.cells;
-    }
-    return 1.0;
-}
-
-/// The motion of a grid on x [L] and t [L/c].
-struct OnGrid {
-    const Motion& field;
-    double cells;
-
-    double displacement(double x, double t) const
-    {
-        return field.displacementAt(x * cells, t * cells);
-    }
-    double velocity(double x, double t) const { return field.velocityAt(x * cells, t * cells); }
-    double strain(double x, double t) const { return field.strainAt(x * cells, t * cells); }
-    double wallForce(double t) const { return field.wallForceAt(t * cells); }
-};
-
-OnGrid fieldOf(const GridMotion& motion)
-{
-    return {*motion.field(), static_cast<double>(motion.schedule.cells)};
-}
-
-/// Of a mode or a polytope.
-template <typename Answer>
-const ModeMotion& fieldOf(const Answer& answer)
-{
-    return answer.motion;
-}
-
-/// Fields [g/L ...] at places [L] and instants [L/c], which the package makes methods of.
-template <typename T>
-void addFieldsOf(Record<T>& record)
-{
-    const auto add = [&record](const char* name, auto valueOf) {
-        record.can(name, "", [valueOf](const T& motion, const Numbers& x, const Numbers& t) {
-            const auto& field = fieldOf(motion);
+    const auto add = [&](const char* name, auto valueOf) {
+        record.can(name, "", [=](const T& motion, const Numbers& x, const Numbers& t) {
+            const Field& field = std::invoke(fieldOf, motion);
             return py::object(py::vectorize([&](double place, double instant) {
                 return valueOf(field, place, instant);
             })(x, t));
         });
     };
-    add("_displacement", [](const auto& of, double x, double t) { return of.displacement(x, t); });
-    add("_velocity", [](const auto& of, double x, double t) { return of.velocity(x, t); });
-    add("_strain", [](const auto& of, double x, double t) { return of.strain(x, t); });
-    add("_wall_force", [](const auto& of, double, double t) { return of.wallForce(t); });
+    add("_displacement", std::mem_fn(displacement));
+    add("_velocity", std::mem_fn(velocity));
+    add("_strain", std::mem_fn(strain));
+    add("_wall_force", [=](const Field& of, double, double t) { return (of.*wallForce)(t); });
 }
 
 /// What motions of modes and of polytopes share.
@@ -98,8 +64,6 @@ void addMotionOf(py::module_& module)
 {
     Record<Answer> record(module);
     record
-        .has("amplitude_ratio", "h = |p| [g/L].",
-             [](const Answer& m) { return m.motion.amplitude(); })
         .has("jump_times_ratio",
              "Where p changes its sign, ascending [L/c]: the first is the end of the first "
              "contact; no copy.",
@@ -115,25 +79,8 @@ void addMotionOf(py::module_& module)
              [](const Answer& m, std::int64_t cells) {
                  return StateOf{std::make_shared<const State>(cellMeans(m.motion, cells)), m.bar};
              });
-    addFieldsOf(record);
-}
-
-StateOf stateAt(const GridMotion& m, std::int64_t step)
-{
-    const Motion& field = *m.field();
-    if (step < 0 || step > field.steps()) {
-        throwFault("step", step, fmt::format("whole numbers 0..{}", field.steps()));
-    }
-    auto state = std::make_shared<State>();
-    state->a.resize(field.cells());
-    state->b.resize(field.cells());
-    for (std::int64_t cell = 1; cell <= field.cells(); ++cell) {
-        const double v = field.velocity(cell, step);
-        const double s = field.strain(cell, step) * speedOf(m.scene.segments, cell);
-        state->a[cell - 1] = (v - s) / 2.0;
-        state->b[cell - 1] = (v + s) / 2.0;
-    }
-    return {state, m.bar, m.scene.segments};
+    addFieldsOf(record, &Answer::motion, &ModeMotion::displacement, &ModeMotion::velocity,
+                &ModeMotion::strain, &ModeMotion::wallForce);
 }
 
 }  // namespace
@@ -188,8 +135,14 @@ void addMotion(py::module_& module)
                   const Motion& field = *m.field();
                   return filled(field.steps(), [&](std::int64_t k) { return field.wallForce(k); });
               })
-        .can("state_at", {"step"}, "The state right after t_m.", &stateAt);
-    addFieldsOf(record);
+        .can("state_at", {"step"}, "The state right after t_m.",
+             [](const GridMotion& m, std::int64_t step) {
+                 auto state = std::make_shared<const State>(m.field()->stateAt(step));
+                 return StateOf{std::move(state), m.bar, m.scene.segments};
+             });
+    addFieldsOf(
+        record, [](const GridMotion& m) -> const Motion& { return *m.field(); },
+        &Motion::displacementAt, &Motion::velocityAt, &Motion::strainAt, &Motion::wallForceAt);
     addMotionOf<ModeAnswer>(module);
     addMotionOf<PolytopeAnswer>(module);
 }

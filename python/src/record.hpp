@@ -160,10 +160,11 @@ public:
     void key(const char* name, std::string_view unit, const char* sentence, const Get& get,
              When when = When::always)
     {
-        if (when == When::program) {
-            return;
+        if (when == When::attribute) {
+            of_->addProperty(name, sentence, erased(get));
+        } else if (when != When::program) {
+            of_->addKey(name, unit, sentence, erased(get), mayBeLeftOut(when));
         }
-        of_->addKey(name, unit, sentence, erased(get), mayBeLeftOut(when));
         using Value = std::remove_cvref_t<std::invoke_result_t<Get, const T&>>;
         if constexpr (std::is_same_v<Value, Assembly>) {
             drawsScene(get);

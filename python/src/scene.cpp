@@ -1,5 +1,7 @@
 #include "calls.hpp"
 
+#include <pybind11/eigen.h>
+
 #include <array>
 
 #include "contact_spans.hpp"
@@ -14,42 +16,12 @@ namespace {
 void addBar(py::module_& module)
 {
     Record<Bar> record(module);
-    using Number = std::optional<Quantity>;
-    record.more().def(py::init([](const Quantity& length, const Number& waveSpeed,
-                                  const Number& axialStiffness, const Quantity& gap,
-                                  const Number& young, const Number& density, const Number& area) {
-                          Asked asked;
-                          asked["length"] = length;
-                          asked["wave_speed"] = waveSpeed;
-                          asked["axial_stiffness"] = axialStiffness;
-                          asked["gap"] = gap;
-                          asked["young"] = young;
-                          asked["density"] = density;
-                          asked["area"] = area;
-                          const Bar bar = barAsked(asked, true);
-                          warnIf(bar.young && *bar.young < softestModulus,
-                                 "young is softer than rubber: GPa are \"210GPa\"");
-                          return bar;
-                      }),
-                      py::kw_only(), py::arg("length") = Bar{}.length,
-                      py::arg("wave_speed") = py::none(), py::arg("axial_stiffness") = py::none(),
-                      py::arg("gap") = Bar{}.gap, py::arg("young") = py::none(),
-                      py::arg("density") = py::none(), py::arg("area") = py::none());
-    for (const auto& [name, unit, doc] :
-         {std::tuple("energy_unit", &Scales::energy,
-                     "E_1 = EA g^2/(2L) [J]: the unit of every `energy_ratio`."),
-          std::tuple("time_unit", &Scales::time,
-                     "L/c [s]: the unit of every `period_ratio` and other times."),
-          std::tuple("strain_unit", &Scales::strain, "g/L [-]: the unit of waves and strains."),
-          std::tuple("velocity_unit", &Scales::velocity, "c g/L [m/s]: the unit of velocities."),
-          std::tuple("displacement_unit", &Scales::displacement,
-                     "g [m]: the unit of displacements.")}) {
-        record.has(name, doc, [unit = unit](const Bar& bar) { return scales(bar).*unit; });
-    }
-    record.has("force_unit", "EA g/L [N]: the unit of forces.", &forceUnit)
-        .has("impulse_unit", "EA g/c [N s]: the unit of impulses.", &impulseUnit)
-        .has("frequency_unit", "omega_1/(2 pi) = c/(4L) [Hz]: the unit of `frequency_ratio`.",
-             [](const Bar& bar) { return 0.25 / scales(bar).time; });
+    record.more().def(py::init([](const py::kwargs& given) {
+        const Bar bar = barAsked(Asked(given), true);
+        warnIf(bar.young && *bar.young < softestModulus,
+               "young is softer than rubber: GPa are \"210GPa\"");
+        return bar;
+    }));
 }
 
 void addWholeScene(py::module_& module)
@@ -130,25 +102,17 @@ void addSchedule(py::module_& module)
 
 std::shared_ptr<const State> stateOf(const Numbers& a, const Numbers& b)
 {
-    if (a.ndim() != 1 || b.ndim() != 1 || a.size() != b.size() || a.size() == 0) {
-        throw std::invalid_argument(
-            fmt::format("a, b = arrays of {} and {} values in {} and {} dimensions: allowed two of "
-                        "one length >= 1 in one dimension",
-                        a.size(), b.size(), a.ndim(), b.ndim()));
-    }
+    refuseIf(
+        a.ndim() != 1 || b.ndim() != 1 || a.size() != b.size() || a.size() == 0,
+        fmt::format("a, b = arrays of {} and {} values in {} and {} dimensions: allowed two of "
+                    "one length >= 1 in one dimension",
+                    a.size(), b.size(), a.ndim(), b.ndim()));
     auto state = std::make_shared<State>();
     state->a = Eigen::VectorXd::Map(a.data(), a.size());
     state->b = Eigen::VectorXd::Map(b.data(), b.size());
-    if (!state->a.allFinite() || !state->b.allFinite()) {
-        throw std::invalid_argument("a, b = values that are not finite: allowed finite numbers");
-    }
+    refuseIf(!state->a.allFinite() || !state->b.allFinite(),
+             "a, b = values that are not finite: allowed finite numbers");
     return state;
-}
-
-/// One of the library's vectors as an array that is its own.
-py::array_t<double> array(const Eigen::VectorXd& values)
-{
-    return py::array_t<double>(values.size(), values.data());
 }
 
 py::array_t<double> waveOf(const StateOf& s, Eigen::VectorXd State::*wave)
@@ -177,16 +141,14 @@ void addState(py::module_& module)
                            "x_{i-1} < x < x_i = i L/N.");
     record
         .both("velocity", "velocity_unit", "v on each cell [m/s].",
-              "v on each cell [c g/L], a + b.",
-              [](const StateOf& s) { return array(velocity(*s.value)); })
-        .both(
-            "strain", "strain_unit", "s on each cell [-], tension > 0.",
-            "s on each cell [g/L], b - a over its relative speed.",
-            [](const StateOf& s) {
-                return array(s.segments.empty() ? strain(*s.value) : strain(*s.value, s.segments));
-            })
+              "v on each cell [c g/L], a + b.", [](const StateOf& s) { return velocity(*s.value); })
+        .both("strain", "strain_unit", "s on each cell [-], tension > 0.",
+              "s on each cell [g/L], b - a over its relative speed.",
+              [](const StateOf& s) {
+                  return s.segments.empty() ? strain(*s.value) : strain(*s.value, s.segments);
+              })
         .both("displacement", "displacement_unit", "u at x_1 ... x_N [m].", "u at x_1 ... x_N [g].",
-              [](const StateOf& s) { return array(displacement(*s.value)); })
+              [](const StateOf& s) { return displacement(*s.value); })
         .both("energy", "energy_unit", "E [J].", "E/E_1.",
               [](const StateOf& s) { return energyRatio(*s.value, s.segments); })
         .has("cells", "N.", [](const StateOf& s) { return s.value->cells(); })

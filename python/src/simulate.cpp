@@ -1,5 +1,7 @@
 #include "calls.hpp"
 
+#include <pybind11/eigen.h>
+
 #include "scene_figures.hpp"
 #include "scene_simulation_answer.hpp"
 #include "simulation_answer.hpp"
@@ -19,13 +21,6 @@ struct Seen {
     std::vector<TipPoint> path = {};
 };
 using Simulated = With<SimulationAnswer, Seen>;
-
-/// A number of each struct in a list, on the simulation's own memory.
-template <typename T>
-auto column(std::vector<T> Seen::*list, double T::*member)
-{
-    return [=](const std::shared_ptr<Simulated>& s) { return view(s->more.*list, member, s); };
-}
 
 void addWaves(py::module_& module)
 {
@@ -52,33 +47,39 @@ void addWaves(py::module_& module)
                  if (cells < 1 || cells > mostCells) {
                      throwFault("cells", cells, fmt::format("whole numbers 1..{}", mostCells));
                  }
-                 const Eigen::VectorXd u = stretching(w.value, cells);
-                 const double unit = scales(w.bar).displacement;
-                 return filled(u.size(), [&](std::int64_t k) { return unit * u[k]; });
+                 return Eigen::VectorXd(scales(w.bar).displacement * stretching(w.value, cells));
              });
 }
 
 void addSimulated(py::module_& module)
 {
-    Record<Simulated>(module)
-        .both("contact_start", "time_unit", "[s], shape (contacts,).", "[L/c]; no copy.",
-              column(&Seen::contacts, &ContactEvent::start))
-        .both("contact_end", "time_unit", "[s]", "[L/c]; no copy.",
-              column(&Seen::contacts, &ContactEvent::end))
-        .both("contact_impulse", "impulse_unit", "[N s]", "[EA g/c]; no copy.",
-              column(&Seen::contacts, &ContactEvent::impulse))
-        .both("contact_peak_force", "force_unit", "[N]", "[EA g/L]; no copy.",
-              column(&Seen::contacts, &ContactEvent::peakForce))
-        .both("contact_mean_force", "force_unit", "Largest mean over the resolution [N].",
-              "[EA g/L]; no copy.", column(&Seen::contacts, &ContactEvent::meanForce))
-        .both("contact_speed", "velocity_unit", "With which the tip came to the stop [m/s].",
-              "[c g/L]; no copy.", column(&Seen::contacts, &ContactEvent::speed))
-        .both("contact_energy", "energy_unit", "Of the waves that the stop sent back [J].",
-              "[E_1]; no copy.", column(&Seen::contacts, &ContactEvent::energy))
-        .both("tip_time", "time_unit", "Instants of the path of the tip [s]; straight between.",
-              "[L/c]; no copy.", column(&Seen::path, &TipPoint::time))
-        .both("tip_displacement", "displacement_unit", "u(L) at these instants [m].",
-              "[g]; no copy.", column(&Seen::path, &TipPoint::displacement))
+    Record<Simulated> record(module);
+    const auto add = [&record](const char* name, const char* unit, const char* doc,
+                               const char* ratio, auto member, auto list) {
+        record.both(name, unit, doc, ratio, [=](const std::shared_ptr<Simulated>& s) {
+            return view(s->more.*list, member, s);  // no copy
+        });
+    };
+    using Contact = ContactEvent;
+    const auto contact = [&add](const char* name, const char* unit, const char* doc,
+                                const char* ratio, double Contact::*member) {
+        add(name, unit, doc, ratio, member, &Seen::contacts);
+    };
+    contact("contact_start", "time_unit", "[s], shape (contacts,).", "[L/c]", &Contact::start);
+    contact("contact_end", "time_unit", "[s]", "[L/c]", &Contact::end);
+    contact("contact_impulse", "impulse_unit", "[N s]", "[EA g/c]", &Contact::impulse);
+    contact("contact_peak_force", "force_unit", "[N]", "[EA g/L]", &Contact::peakForce);
+    contact("contact_mean_force", "force_unit", "Largest mean over the resolution [N].", "[EA g/L]",
+            &Contact::meanForce);
+    contact("contact_speed", "velocity_unit", "With which the tip came to the stop [m/s].",
+            "[c g/L]", &Contact::speed);
+    contact("contact_energy", "energy_unit", "Of the waves that the stop sent back [J].", "[E_1]",
+            &Contact::energy);
+    add("tip_time", "time_unit", "Instants of the path of the tip [s]; straight between.", "[L/c]",
+        &TipPoint::time, &Seen::path);
+    add("tip_displacement", "displacement_unit", "u(L) at these instants [m].", "[g]",
+        &TipPoint::displacement, &Seen::path);
+    record
         .has("contact_stop", "[\"right\" or \"left\", ...], which stop was touched.",
              [](const Simulated& s) { return mapped(s.more.contacts, &ContactEvent::stop); })
         .has("waves", "At the end: a Waves, from which another simulation can go on.",
@@ -126,8 +127,8 @@ Simulated simulate(const Asked& asked)
     FollowedBar bar = started(std::move(answer), start, driving,
                               {asked.maybe<double>("time"), asked.maybe<std::int64_t>("periods"),
                                asked.maybe<double>("resolve"), asked.get<bool>("tip")});
-    return patiently(asked, [bar = std::move(bar)](const Wires& wires) mutable {
-        bar.follow(wires.cancel, wires.progress);
+    return patiently(asked, [bar = std::move(bar)](const Watch& watch) mutable {
+        bar.follow(watch);
         const BarSimulation& done = bar.simulation;
         return Simulated{bar.answer, {done.waves(), done.contacts(), done.tipPath()}};
     });
@@ -162,21 +163,15 @@ SimulatedBars simulateBars(const Asked& asked)
     const Network network = networkOf(assembly);
     requireWhole(asked, true);
     const SceneDrive drive = driveAsked(asked, network);
-    const double duration = durationOf(network, drive, asked.maybe<double>("time"),
-                                       asked.maybe<std::int64_t>("periods"));
-    const NetworkStart start = startOf(asked, network, drive.moved.base);
     const bool recordsPaths = asked.get<bool>("tip");
-    return patiently(asked, [=](const Wires& wires) {
-        SimulatedBars answer;
-        answer.bars = severalOf(assembly, network);
-        answer.drive = drive.told;
-        NetworkSimulation simulation = simulationOf(network, start, drive, recordsPaths);
-        answer.follow(simulation, drive.moved, duration, wires.cancel, wires.progress);
-        if (recordsPaths) {
-            answer.more.figure = asJson(simulationFigure(simulation));
-        }
-        answer.more.pushes = contactsOf(simulation);
-        return answer;
+    FollowedBars bars(asked, assembly, network, drive, startOf(asked, network, drive.moved.base),
+                      recordsPaths);
+    return patiently(asked, [bars = std::move(bars), recordsPaths](const Watch& watch) mutable {
+        bars.follow(watch);
+        const NetworkSimulation& done = bars.simulation;
+        return SimulatedBars{
+            bars.answer,
+            {contactsOf(done), recordsPaths ? asJson(simulationFigure(done)) : std::string()}};
     });
 }
 

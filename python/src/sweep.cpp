@@ -43,14 +43,14 @@ SweepAnswer sweep(const Asked& asked)
     const auto threads = asked.get<std::int64_t>("threads");
     const auto file = asked.text("file");
     const auto question = asked.get<std::string>("question");
-    return patiently(asked, [=](const Wires& wires) mutable {
+    return patiently(asked, [=](const Watch& watch) mutable {
         std::optional<Journal> journal;
         if (!file.empty()) {
             journal.emplace(file, question, true);
         }
         answer.points = sweepThrough(answer.range, bars.get(), answer.bar, directions,
                                      journal ? &*journal : nullptr, threads,
-                                     {.cancel = wires.cancel, .show = wires.progress});
+                                     {.cancel = watch.cancel, .show = watch.show});
         answer.isComplete = answer.points.size() ==
                             directions.size() * static_cast<std::size_t>(answer.range.points);
         return answer;
@@ -72,15 +72,15 @@ std::vector<StudyPoint> study(Asked asked)
     const auto threads = asked.get<std::int64_t>("threads");
     const auto file = asked.text("file");
     const auto question = asked.get<std::string>("question");
-    return patiently(asked, [=](const Wires& wires) {
-        const RowOf row = [&](std::size_t k) { return studyRow(all[k], wires.cancel); };
+    return patiently(asked, [=](const Watch& watch) {
+        const RowOf row = [&](std::size_t k) { return studyRow(all[k], watch.cancel); };
         return studyPointsOf(tabulated({.file = file,
                                         .question = question,
                                         .header = studyHeader,
                                         .keys = mapped(all, keyOf),
                                         .resumes = true,
                                         .deal = byThreads(row, threads),
-                                        .show = wires.progress}));
+                                        .show = watch.show}));
     });
 }
 

@@ -1,5 +1,8 @@
 #include "continuum_answer.hpp"
 
+#include "find_answer.hpp"
+#include "stops.hpp"
+
 namespace signorini::answers {
 
 void requireCurve(const Call& call)
@@ -36,15 +39,22 @@ Trace traceAsked(const Call& call, const std::function<State(const char* option)
 
 }  // namespace
 
-ContinuumOptions continuumAsked(const Call& call, const Scene& scene,
-                                const std::function<State(const char* option)>& stateOf)
+Question<ContinuumAnswer> continuumAsked(const Call& call, const Scene& scene, Schedule schedule,
+                                         const std::function<State(const char* option)>& stateOf)
 {
+    requireCurve(call);
+    const double ratio = energyAsked(call, scene.bar).value();
     ContinuumOptions options;
     options.scene = scene;
     options.trace = traceAsked(call, stateOf);
     readCurve(call, options);
     call.read("--strain-limit", options.strainLimit);
-    return options;
+    schedule.stops = stopsOf(scene);
+    validate(schedule);
+    return [=](const Watch& watch) {
+        return ContinuumAnswer{
+            std::make_shared<const Continuum>(traceContinuum(schedule, ratio, watch.on(options)))};
+    };
 }
 
 Physical PointOf::physical() const

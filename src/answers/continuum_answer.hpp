@@ -6,10 +6,10 @@
 #include <memory>
 #include <string>
 
-#include "call.hpp"
 #include "engine_names.hpp"
 #include "parts.hpp"
 #include "signorini/continuum.hpp"
+#include "watch.hpp"
 
 namespace signorini::answers {
 
@@ -25,10 +25,6 @@ void readCurve(const Call& call, auto& options)
     call.read("--resolution", options.resolution);
     call.read("--tolerance", options.tolerance);
 }
-/// What is asked of a uniform bar, and the state that is meant by one of --from, --to, --direction.
-[[nodiscard]] ContinuumOptions continuumAsked(
-    const Call& call, const Scene& scene, const std::function<State(const char* option)>& stateOf);
-
 /// One motion of a curve, which it keeps alive.
 struct PointOf {
     std::shared_ptr<const Continuum> curve;
@@ -45,6 +41,12 @@ struct ContinuumAnswer {
     [[nodiscard]] std::vector<PointOf> points() const;
     [[nodiscard]] std::optional<PointOf> member() const;
 };
+
+/// What a call asks of a schedule of a uniform bar, and the state that is meant by one of --from,
+/// --to, --direction. \throws std::invalid_argument as requireCurve; as stateOf.
+[[nodiscard]] Question<ContinuumAnswer> continuumAsked(
+    const Call& call, const Scene& scene, Schedule schedule,
+    const std::function<State(const char* option)>& stateOf);
 
 /// Nothing where there is no gap, and so no E_1.
 template <typename T>

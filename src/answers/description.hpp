@@ -40,7 +40,8 @@ enum class When {
     any,        ///< left out where the getter has nothing
     undecided,  ///< the same, but there is something where the status is "undecided"
     program,    ///< the same as `any`, in JSON only
-    python      ///< as `always`, but not in JSON
+    python,     ///< as `always`, but not in JSON
+    attribute   ///< of Python's object alone: no key
 };
 
 /// May the key be left out?

@@ -19,6 +19,13 @@ FindOptions searchAsked(const Call& call)
     options.objective = call.named("--objective", objectiveNames).value_or(options.objective);
     call.read("--tolerance", options.tolerance);
     call.read("--time-limit", options.timeLimit);
+    const bool isNearest = options.objective == Objective::nearest;
+    refuseIf(isNearest && !call.has("--target"),
+             fmt::format("{} is missing: {} needs a state file", call.called("--target"),
+                         call.with("--objective", "nearest")));
+    refuseIf(!isNearest && call.has("--target"),
+             fmt::format("{} clashes with {}: allowed only nearest", call.called("--target"),
+                         call.called("--objective")));
     return options;
 }
 

@@ -4,14 +4,15 @@
 
 #include <string>
 
-#include "call.hpp"
 #include "parts.hpp"
 #include "proofs.hpp"
 #include "signorini/response.hpp"
+#include "watch.hpp"
 
 namespace signorini::answers {
 
 /// How a call has a motion looked for: --solver, --objective, --tolerance, --time-limit.
+/// \throws std::invalid_argument on a --target without the objective nearest, or the other way.
 [[nodiscard]] FindOptions searchAsked(const Call& call);
 /// The same of one bar with what is demanded of it but a target.
 /// \throws std::invalid_argument on demands that do not go together.
@@ -72,9 +73,6 @@ struct FindAnswer {
 /// What was found, and if the options have a target, read as `how` says, how far it is.
 [[nodiscard]] FindAnswer answerOf(PeriodicResult result, const FindOptions& options,
                                   const std::string& how = {});
-
-/// \throws std::invalid_argument on periods so long that nobody waits for 300 of them.
-void requireTried(std::int64_t steps);
 
 /// Starts beside the motion, if there is one: as it is, and with a little damping.
 void tryStability(FindAnswer& answer, const Cancel& cancel);

@@ -44,8 +44,7 @@ ForcedAnswer answerOf(ForcedSet set, const Scene& scene, std::optional<double> a
     return answer;
 }
 
-std::function<ForcedAnswer()> forcedAsked(const Call& call, const Scene& scene,
-                                          const Schedule& schedule)
+Question<ForcedAnswer> forcedAsked(const Call& call, const Scene& scene, const Schedule& schedule)
 {
     const ForceOptions force(call);
     force.requireDamping();
@@ -56,10 +55,10 @@ std::function<ForcedAnswer()> forcedAsked(const Call& call, const Scene& scene,
     ForcedLimits limits;
     call.read("--strain-limit", limits.strain);
     limits.strain /= scales(unitsOf(scene)).strain;
-    return [=] {
+    return tried<ForcedAnswer>(call, steps(schedule), [=](const Watch&) {
         return answerOf(forcedMotions(schedule, force.damping(), forcing, limits, scene.segments),
                         scene, force.amplitude, force.derivative);
-    };
+    });
 }
 
 Motion fieldOf(const ForcedMotion& motion, const std::vector<Segment>& segments)

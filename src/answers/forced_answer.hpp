@@ -57,10 +57,9 @@ struct ForcedAnswer {
 [[nodiscard]] ForcedAnswer answerOf(ForcedSet set, const Scene& scene, std::optional<double> asked,
                                     int derivative = 0);
 
-/// What a call asks of a schedule, to be answered. \throws std::invalid_argument on options that
-/// are missing.
-[[nodiscard]] std::function<ForcedAnswer()> forcedAsked(const Call& call, const Scene& scene,
-                                                        const Schedule& schedule);
+/// What a call asks of a schedule. \throws std::invalid_argument on options that are missing.
+[[nodiscard]] Question<ForcedAnswer> forcedAsked(const Call& call, const Scene& scene,
+                                                 const Schedule& schedule);
 
 /// What a bar of such segments does over one period.
 [[nodiscard]] Motion fieldOf(const ForcedMotion& motion, const std::vector<Segment>& segments);
@@ -137,6 +136,14 @@ void describe(auto& d, Type<ForcedMotionOf>)
           ofValue(&ForcedMotion::residual));
     d.key("stable", "-", "Does the bar stay near it? Nothing: not tried, or unclear.", &T::stable,
           When::any);
+    const auto ratio = [&d](const char* name, const char* sentence, double Extremes::*extreme) {
+        d.key(
+            name, "-", sentence, [extreme](const T& m) { return m.value.extremes.*extreme; },
+            When::attribute);
+    };
+    ratio("impulse_ratio", "[EA g/c] a period.", &Extremes::impulse);
+    ratio("peak_force_ratio", "[EA g/L]", &Extremes::peakForce);
+    ratio("tip_lowest_ratio", "[g]", &Extremes::lowestTip);
 }
 
 /// What was asked.

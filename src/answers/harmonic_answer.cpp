@@ -8,8 +8,7 @@
 
 namespace signorini::answers {
 
-std::function<HarmonicAnswer(const Cancel&)> harmonicAsked(const Call& call, const Scene& scene,
-                                                           std::int64_t cells)
+Question<HarmonicAnswer> harmonicAsked(const Call& call, const Scene& scene, std::int64_t cells)
 {
     const ForceOptions force(call);
     const std::int64_t cycles = call.whole("--cycles").value_or(1);
@@ -21,9 +20,9 @@ std::function<HarmonicAnswer(const Cancel&)> harmonicAsked(const Call& call, con
     const ForceOptions displaced = force.at(frequencyRatio * firstHertz(scene.bar));
     (void)displaced.scaledAmplitude(scene.bar);
     return [=, contacts = call.whole("--contacts").value_or(1),
-            limit = call.number("--strain-limit")](const Cancel& cancel) {
+            limit = call.number("--strain-limit")](const Watch& watch) {
         return within(limit, answerOf(period, force.damping(), *force.place, cycles,
-                                      *displaced.amplitude, scene, contacts, cancel));
+                                      *displaced.amplitude, scene, contacts, watch.cancel));
     };
 }
 

@@ -99,11 +99,10 @@ struct HarmonicAnswer {
     [[nodiscard]] Harmonic excitation() const;
 };
 
-/// What a call asks of a bar whose frequencies in Hz are those of so many cells, to be answered.
+/// What a call asks of a bar whose frequencies in Hz are those of so many cells.
 /// \throws std::invalid_argument on options that are missing or do not go together.
-[[nodiscard]] std::function<HarmonicAnswer(const Cancel&)> harmonicAsked(const Call& call,
-                                                                         const Scene& scene,
-                                                                         std::int64_t cells);
+[[nodiscard]] Question<HarmonicAnswer> harmonicAsked(const Call& call, const Scene& scene,
+                                                     std::int64_t cells);
 
 /// \throws as harmonicCase.
 [[nodiscard]] HarmonicAnswer answerOf(const ExactPeriod& period, const Damping& damping,

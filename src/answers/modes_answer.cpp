@@ -17,8 +17,10 @@ int gapSignOfModes(const Bar& bar)
     return bar.gap > 0.0 ? 1 : -1;
 }
 
-void fill(FamilyList& list, const FamilyBounds& bounds, const Stops& stops,
-          const std::function<void(double, double)>& show)
+namespace {
+
+/// The families, or those found until a signal came or the list was full.
+void fill(FamilyList& list, const FamilyBounds& bounds, const Stops& stops, const Watch& watch)
 {
     const auto last = static_cast<double>(list.maxOrder);
     std::int64_t order = 0;
@@ -27,7 +29,7 @@ void fill(FamilyList& list, const FamilyBounds& bounds, const Stops& stops,
             order = family.order;
             // The work up to an order grows with its square.
             const auto done = static_cast<double>(order - 1);
-            show(done * done, last * last);
+            watch.show(done * done, last * last);
         }
         if (!staysClear(family, stops)) {
             return true;
@@ -50,7 +52,7 @@ void fill(FamilyList& list, const FamilyBounds& bounds, const Stops& stops,
     }
 }
 
-ModeBounds modesAsked(const Call& call, std::int64_t phases, const Bar& bar)
+ModeBounds boundsAsked(const Call& call, std::int64_t phases, const Bar& bar)
 {
     constexpr std::array<std::int64_t, maxPolytopePhases> orders{25, 25, 9, 5, 3};
     const auto index = std::clamp<std::int64_t>(phases, 1, maxPolytopePhases) - 1;
@@ -65,6 +67,40 @@ ModeBounds modesAsked(const Call& call, std::int64_t phases, const Bar& bar)
     call.read("--max-period", bounds.maxPeriod);
     call.read("--max-energy-ratio", bounds.maxEnergyRatio);
     return bounds;
+}
+
+}  // namespace
+
+Question<FamilyList> familiesAsked(const Call& call, const Scene& scene, double gravity)
+{
+    const Stops stops = stopsOf(scene);
+    FamilyBounds bounds{.gapSign = stops.right};
+    call.read("--max-energy-ratio", bounds.maxEnergyRatio);
+    const std::int64_t maxOrder = call.whole("--max-order").value_or(12);
+    return [=](const Watch& watch) {
+        FamilyList list{maxOrder, bounds.maxEnergyRatio, scene.bar, {},
+                        {},       scene.secondStop,      gravity};
+        fill(list, watch.on(bounds), stops, watch);
+        return list;
+    };
+}
+
+Question<ModeList> modesAsked(const Call& call, const Bar& bar, double gravity)
+{
+    return [=, bounds = boundsAsked(call, 1, bar)](const Watch& watch) {
+        std::vector<Mode> modes = findModes(watch.on(bounds));
+        return ModeList{bounds, bar, std::move(modes), !isRequested(watch.cancel), gravity};
+    };
+}
+
+Question<PolytopeList> polytopesAsked(const Call& call, std::int64_t phases, const Bar& bar,
+                                      double gravity)
+{
+    return [=, bounds = boundsAsked(call, phases, bar)](const Watch& watch) {
+        std::vector<ModePolytope> found = findPolytopes(phases, watch.on(bounds));
+        const bool isComplete = !isRequested(watch.cancel);
+        return PolytopeList{phases, bounds, bar, std::move(found), isComplete, gravity};
+    };
 }
 
 ModeAnswer motionOf(const Mode& mode, const Bar& bar, double period, double gravity)

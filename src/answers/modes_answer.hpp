@@ -2,11 +2,10 @@
 /// \file
 /// Families, modes and polytopes, their motions, and lists of them.
 
-#include <functional>
 #include <string>
 
-#include "call.hpp"
 #include "parts.hpp"
+#include "watch.hpp"
 
 namespace signorini::answers {
 
@@ -69,13 +68,16 @@ struct PolytopeList {
 /// periods then.
 [[nodiscard]] int gapSignOfModes(const Bar& bar);
 
-/// The families, or those found until a signal came or the list was full.
-void fill(FamilyList& list, const FamilyBounds& bounds, const Stops& stops,
-          const std::function<void(double, double)>& show);
+/// The families that a call asks for, or those found until the list was full; the scene is what it
+/// is under this gravity.
+[[nodiscard]] Question<FamilyList> familiesAsked(const Call& call, const Scene& scene,
+                                                 double gravity);
 
 /// Which modes, or with several contacts polytopes, a call asks for: without bounds those that a
 /// few seconds list. \throws std::invalid_argument as gapSignOfModes, and on a larger order.
-[[nodiscard]] ModeBounds modesAsked(const Call& call, std::int64_t phases, const Bar& bar);
+[[nodiscard]] Question<ModeList> modesAsked(const Call& call, const Bar& bar, double gravity);
+[[nodiscard]] Question<PolytopeList> polytopesAsked(const Call& call, std::int64_t phases,
+                                                    const Bar& bar, double gravity);
 
 /// (p, q) of the contact time p + q T [L/c], of a polytope that of all contacts together.
 [[nodiscard]] std::tuple<std::int64_t, std::int64_t> contactOf(const Mode& mode);
@@ -105,6 +107,7 @@ Three whole numbers (w, nu, k) name it, on no grid; on every grid with w | 2N it
         return standsOnMode(f.value) ? std::optional(contactOf(modeThrough(f.value)))
                                      : std::nullopt;
     });
+    d.key("bar", "-", "Its units.", &FamilyOf::bar, When::attribute);
 }
 
 /// Where the energy of a mode or polytope lies, and its frequency.
@@ -146,6 +149,12 @@ t_c = a4 + b T and E/E_1 = 1/(kappa T - mu)^2, T in L/c.
     d.key("ends", "-", "Why it ends there.",
           [](const ModeOf& m) { return std::tuple(m.value.lowestEnd, m.value.highestEnd); });
     describeRanges(d, type);
+    d.key("bar", "-", "Its units.", &ModeOf::bar, When::attribute);
+    d.key(
+        "kappa", "-", "E/E_1 = 1/(kappa T - mu)^2.", [](const ModeOf& m) { return m.value.kappa; },
+        When::attribute);
+    d.key(
+        "mu", "-", "See kappa.", [](const ModeOf& m) { return m.value.mu; }, When::attribute);
 }
 
 void describe(auto& d, Type<ModeChain>)
@@ -180,6 +189,10 @@ s_l are the arrivals. The energy depends on T alone.
         "vertices", "L/c", "[[(p, q), ...], ...]: T and the arrivals s_2, ..., s_K of each corner.",
         [](const PolytopeOf& p) -> const auto& { return p.value.vertices; });
     describeRanges(d, type);
+    d.key("bar", "-", "Its units.", &PolytopeOf::bar, When::attribute);
+    d.key(
+        "phases", "-", "K.", [](const PolytopeOf& p) { return p.value.chains.size(); },
+        When::attribute);
 }
 
 /// Keys that the motions of a mode and of a polytope share.
@@ -200,6 +213,8 @@ void describeTimes(D& d, Type<T>, Energy energyRatio)
     d.key("energy", "J > 0", "E.",
           [energyRatio](const T& m) { return energyRatio(m) * scales(m.bar).energy; });
     d.key("energy_ratio", "E_1 > 0", "E/E_1.", energyRatio);
+    d.key("amplitude_ratio", "-", "h = |p| [g/L].", motion(&ModeMotion::amplitude),
+          When::attribute);
 }
 
 template <typename D, typename T>

@@ -188,6 +188,13 @@ std::string Option::allowed() const
     }
 }
 
+std::string Option::meaning() const
+{
+    const bool hasUnit = unit != "-" && sentence.find('[') == std::string_view::npos;
+    return fmt::format("{}{}{}.", sentence, takes == Takes::choice ? ": " + type : "",
+                       hasUnit ? fmt::format(" [{}]", unit) : "");
+}
+
 bool Option::fits(std::string_view text) const
 {
     const auto isOneOf = [this](auto matches) {

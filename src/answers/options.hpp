@@ -62,6 +62,8 @@ struct Option {
 
     /// "finite numbers > 0 [m]"
     [[nodiscard]] std::string allowed() const;
+    /// Its sentence with the words it may be, or its unit.
+    [[nodiscard]] std::string meaning() const;
     /// Is a value of this kind, in this range? Texts that the question reads are not looked into.
     [[nodiscard]] bool fits(std::string_view text) const;
     /// The same of a number, of the kinds that take one.

@@ -47,6 +47,23 @@ void describe(auto& d, Type<Bar>)
     d.key("axial_stiffness", "N > 0", "EA, of the first segment.", &Bar::axialStiffness);
     d.key("gap", "m", "g, from the tip at rest to the wall.", &Bar::gap);
     d.key("young", "Pa > 0", "Young's modulus, if it is known.", &Bar::young);
+    const auto unit = [&d](const char* name, const char* sentence, double Scales::*scale) {
+        d.key(
+            name, "-", sentence, [scale](const Bar& bar) { return scales(bar).*scale; },
+            When::attribute);
+    };
+    unit("energy_unit", "E_1 = EA g^2/(2L) [J]: the unit of every `energy_ratio`.",
+         &Scales::energy);
+    unit("time_unit", "L/c [s]: the unit of every `period_ratio` and other times.", &Scales::time);
+    unit("strain_unit", "g/L [-]: the unit of waves and strains.", &Scales::strain);
+    unit("velocity_unit", "c g/L [m/s]: the unit of velocities.", &Scales::velocity);
+    unit("displacement_unit", "g [m]: the unit of displacements.", &Scales::displacement);
+    d.key("force_unit", "-", "EA g/L [N]: the unit of forces.", &forceUnit, When::attribute);
+    d.key("impulse_unit", "-", "EA g/c [N s]: the unit of impulses.", &impulseUnit,
+          When::attribute);
+    d.key(
+        "frequency_unit", "-", "omega_1/(2 pi) = c/(4L) [Hz]: the unit of `frequency_ratio`.",
+        [](const Bar& bar) { return 0.25 / scales(bar).time; }, When::attribute);
 }
 
 void describe(auto& d, Type<StopPlace>)

@@ -40,6 +40,18 @@ std::string_view entryOf(PartKind kind)
         ->entry;
 }
 
+Assembly assemblyIn(const std::string& words, const Bar& bar, double gravity)
+{
+    const Assembly assembly{.parts = partsOf(words),
+                            .length = bar.length,
+                            .waveSpeed = bar.waveSpeed,
+                            .axialStiffness = bar.axialStiffness,
+                            .gravity = gravity,
+                            .young = bar.young};
+    validate(assembly);
+    return assembly;
+}
+
 std::optional<Scene> barOf(const Assembly& assembly)
 {
     Scene scene(Bar{.length = assembly.length,

@@ -45,6 +45,9 @@ namespace signorini::answers {
 /// What the value of a part is called; empty: it has none.
 [[nodiscard]] std::string_view entryOf(PartKind kind);
 
+/// Bars in words, with the scales of a bar. \throws std::invalid_argument on what is no scene.
+[[nodiscard]] Assembly assemblyIn(const std::string& words, const Bar& bar, double gravity = 0.0);
+
 /// The bar with stops at its tip that such words are, if they are one: clamped on the left, without
 /// weight, springs and masses, its first segment of impedance and speed 1. \pre valid.
 [[nodiscard]] std::optional<Scene> barOf(const Assembly& assembly);

@@ -2,19 +2,24 @@
 
 namespace signorini::answers {
 
-NetworkCurveOptions continuumAsked(
-    const Call& call,
-    const std::function<std::optional<std::vector<double>>(const char* option)>& wavesOf)
+Question<SceneContinuumAnswer> continuumAsked(const Call& call, const BarsAsked& bars,
+                                              const WavesOf& wavesOf)
 {
+    requireCurve(call);
+    const double energy = energyAsked(call, bars.network).value();
     NetworkCurveOptions options;
-    options.from = wavesOf("--from");
-    options.to = wavesOf("--to");
-    options.direction = wavesOf("--direction");
+    options.from = wavesOf("--from", bars);
+    options.to = wavesOf("--to", bars);
+    options.direction = wavesOf("--direction", bars);
     options.isSample = call.has("--sample");
     options.seed = static_cast<std::uint64_t>(
         call.whole("--seed").value_or(static_cast<std::int64_t>(options.seed)));
     readCurve(call, options);
-    return options;
+    return [=](const Watch& watch) {
+        return SceneContinuumAnswer{std::make_shared<const SceneCurve>(
+            SceneCurve{scheduleOf(bars.assembly, bars.network, bars.spans),
+                       traceContinuum(bars.network, bars.spans, energy, watch.on(options))})};
+    };
 }
 
 std::vector<SceneCurvePoint> SceneContinuumAnswer::points() const
@@ -39,15 +44,6 @@ std::optional<SceneFloor> SceneContinuumAnswer::certificate() const
         return std::nullopt;
     }
     return floorOf(of->schedule, known);
-}
-
-SceneContinuumAnswer continuumOf(const Assembly& assembly, const Network& network,
-                                 const std::vector<ContactSpan>& schedule, double energy,
-                                 const NetworkCurveOptions& options)
-{
-    return {std::make_shared<const SceneCurve>(
-        SceneCurve{scheduleOf(assembly, network, schedule),
-                   traceContinuum(network, schedule, energy, options)})};
 }
 
 }  // namespace signorini::answers

@@ -16,17 +16,14 @@ struct SceneCurve {
     NetworkContinuum curve;
 };
 
-/// What is asked of bars, and the waves that are meant by --from, --to, --direction, if any are.
-[[nodiscard]] NetworkCurveOptions continuumAsked(
-    const Call& call,
-    const std::function<std::optional<std::vector<double>>(const char* option)>& wavesOf);
-
 /// One motion of a curve, which it keeps alive.
 struct SceneCurvePoint {
     std::shared_ptr<const SceneCurve> of;
     std::size_t number = 0;  ///< from 0
 
     [[nodiscard]] const NetworkCurvePoint& point() const { return of->curve.points.at(number); }
+    [[nodiscard]] const SceneSchedule& followed() const { return of->schedule; }
+    [[nodiscard]] const NetworkClaim& claim(std::size_t = 0) const { return point().motion; }
     [[nodiscard]] ScenePhysical physical() const
     {
         return physicalOf(of->schedule, point().residuals);
@@ -49,10 +46,10 @@ struct SceneContinuumAnswer {
     [[nodiscard]] std::optional<SceneFloor> certificate() const;
 };
 
-/// Energy in units of the network. \throws as `traceContinuum`.
-[[nodiscard]] SceneContinuumAnswer continuumOf(const Assembly& assembly, const Network& network,
-                                               const std::vector<ContactSpan>& schedule,
-                                               double energy, const NetworkCurveOptions& options);
+/// What a call asks of a schedule of bars. \throws std::invalid_argument as requireCurve; as
+/// WavesOf; when it is asked, as `traceContinuum`.
+[[nodiscard]] Question<SceneContinuumAnswer> continuumAsked(const Call& call, const BarsAsked& bars,
+                                                            const WavesOf& wavesOf);
 
 void describe(auto& d, Type<SceneCurvePoint>)
 {

@@ -59,13 +59,6 @@ double strainUnit(const Assembly& assembly, const NetworkScales& scales)
     return scales.displacement / (scales.time * assembly.waveSpeed);
 }
 
-void limitStrain(Network& network, const Assembly& assembly, const std::optional<double>& limit)
-{
-    if (limit) {
-        network.strainLimit = *limit / strainUnit(assembly, network.scales);
-    }
-}
-
 std::optional<double> strainLimitOf(const Network& network, const Assembly& assembly)
 {
     return known(network.strainLimit * strainUnit(assembly, network.scales));
@@ -96,6 +89,12 @@ ScenePhysical physicalOf(const SceneSchedule& schedule, const NetworkResiduals& 
     return all;
 }
 
+const NetworkClaim& SceneFindAnswer::claim(std::size_t) const
+{
+    refuseIf(!isFound(), "no motion was found: there is nothing to draw or write");
+    return *motions.motion;
+}
+
 std::optional<double> SceneFindAnswer::provedCompression() const
 {
     const auto& proved = motions.provedStrain;
@@ -117,13 +116,35 @@ std::optional<SceneFloor> SceneFindAnswer::certificate() const
     return floorOf(schedule, motions);
 }
 
-SceneFindAnswer answerOf(const Assembly& assembly, const Network& network,
-                         const std::vector<ContactSpan>& schedule, const NetworkWish& wish,
-                         const FindOptions& options)
+BarsAsked::BarsAsked(const Call& call, Assembly ofBars)
+    : assembly(std::move(ofBars)), network(networkOf(assembly))
 {
-    return {scheduleOf(assembly, network, schedule), wish.isOfLeast(),
-            wishedMotion(network, schedule, hugeEnergyRatio * usualEnergy(network, schedule), wish,
-                         options)};
+    if (const auto limit = call.number("--strain-limit")) {
+        network.strainLimit = *limit / strainUnit(assembly, network.scales);
+    }
+}
+
+SearchInBars::SearchInBars(const Call& call, const BarsAsked& bars, const WavesOf& wavesOf)
+    : options(searchAsked(call)),
+      wish{options.objective, energyAsked(call, bars.network), wavesOf("--target", bars)}
+{
+}
+
+SceneFindAnswer SearchInBars::of(const BarsAsked& bars, const std::vector<ContactSpan>& spans,
+                                 const Cancel& cancel) const
+{
+    const double most = hugeEnergyRatio * usualEnergy(bars.network, spans);
+    return {scheduleOf(bars.assembly, bars.network, spans), wish.isOfLeast(),
+            wishedMotion(bars.network, spans, most, wish, Watch{cancel}.on(options))};
+}
+
+Question<SceneFindAnswer> motionAsked(const Call& call, const BarsAsked& bars,
+                                      const WavesOf& wavesOf)
+{
+    const SearchInBars search(call, bars, wavesOf);
+    return tried<SceneFindAnswer>(call, stepsOf(bars.spans), [=](const Watch& watch) {
+        return search.of(bars, bars.spans, watch.cancel);
+    });
 }
 
 void tryStability(SceneFindAnswer& answer, const Cancel& cancel)
@@ -142,14 +163,13 @@ void tryStability(SceneForcedAnswer& answer, const Cancel& cancel)
     }
 }
 
-SceneForcedAnswer forcedAnswerOf(const Assembly& assembly, const Network& network,
-                                 const std::vector<ContactSpan>& schedule, const Forcing& forcing,
-                                 std::optional<double> amplitude, int derivative)
+namespace {
+
+/// Of an amplitude if it is given, a displacement of the base.
+SceneForcedAnswer forcedOf(const BarsAsked& bars, const Forcing& forcing,
+                           std::optional<double> amplitude)
 {
-    if (amplitude && derivative > 0) {
-        const double hertz = static_cast<double>(forcing.cycles) / periodOf(network, schedule);
-        amplitude = displacementAt(hertz, *amplitude, derivative);
-    }
+    const auto& [assembly, network, schedule] = bars;
     const ForcedSet set = forcedScene(network, schedule, forcing, usualEnergy(network, schedule));
     const double unit =
         forcing.place == Excited::tip ? network.scales.force() : network.scales.displacement;
@@ -197,6 +217,20 @@ SceneForcedAnswer forcedAnswerOf(const Assembly& assembly, const Network& networ
         }
     }
     return answer;
+}
+
+}  // namespace
+
+Question<SceneForcedAnswer> forcedAsked(const Call& call, const BarsAsked& bars)
+{
+    const ForceOptions force(call);
+    force.requirePlace();
+    const Forcing forcing{*force.place, call.whole("--cycles").value_or(1), {}};
+    return tried<SceneForcedAnswer>(call, stepsOf(bars.spans), [=](const Watch&) {
+        const double hertz =
+            static_cast<double>(forcing.cycles) / periodOf(bars.network, bars.spans);
+        return forcedOf(bars, forcing, force.at(hertz).amplitude);
+    });
 }
 
 }  // namespace signorini::answers

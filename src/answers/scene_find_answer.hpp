@@ -4,12 +4,12 @@
 
 #include <algorithm>
 
-#include "call.hpp"
 #include "disturbed.hpp"
 #include "network_find.hpp"
 #include "network_forced.hpp"
 #include "proofs.hpp"
 #include "scene_answer.hpp"
+#include "watch.hpp"
 
 namespace signorini::answers {
 
@@ -23,6 +23,21 @@ inline constexpr bool isDictionary<ContactSpan> = true;
     requireOneEnergy(call);
     return heldEnergy(network, call.number("--energy"), call.number("--energy-ratio"));
 }
+
+/// Bars that a call asks about, the network that they are, within --strain-limit if that is given,
+/// and the schedule that they are to follow.
+struct BarsAsked {
+    Assembly assembly;
+    Network network;
+    std::vector<ContactSpan> spans = {};
+
+    BarsAsked(const Call& call, Assembly ofBars);
+};
+
+/// The waves that an option of a call about bars names, if it is given: those of --target, --from,
+/// --to, --direction.
+using WavesOf =
+    std::function<std::optional<std::vector<double>>(const char* option, const BarsAsked& bars)>;
 
 /// A schedule of bars, and what gives its answers units.
 struct SceneSchedule {
@@ -80,9 +95,7 @@ struct SceneStrains {
 };
 /// What a difference of waves stretches, over the relative speed [-].
 [[nodiscard]] double strainUnit(const Assembly& assembly, const NetworkScales& scales);
-/// Only motions with strain >= -limit everywhere are asked for, if one is given [-].
-void limitStrain(Network& network, const Assembly& assembly, const std::optional<double>& limit);
-/// The same, read back.
+/// Only motions with strain >= -limit everywhere are asked for, if there is one [-].
 [[nodiscard]] std::optional<double> strainLimitOf(const Network& network, const Assembly& assembly);
 /// Of the extremes of (l - r)/speed.
 [[nodiscard]] SceneStrains strainsOf(const Assembly& assembly, const NetworkScales& scales,
@@ -140,6 +153,9 @@ struct SceneFindAnswer {
 
     [[nodiscard]] Status status() const { return motions.status; }
     [[nodiscard]] bool isFound() const { return motions.status == Status::found; }
+    [[nodiscard]] const SceneSchedule& followed() const { return schedule; }
+    /// \throws std::invalid_argument if there is none.
+    [[nodiscard]] const NetworkClaim& claim(std::size_t = 0) const;
     /// Of the motion, if there is one.
     [[nodiscard]] std::optional<SceneStrains> strains() const
     {
@@ -163,11 +179,21 @@ struct SceneFindAnswer {
     [[nodiscard]] std::optional<SceneFloor> certificate() const;
 };
 
-/// The motion of least energy, or of a wish [units of the network], or why there is none.
-/// \throws as `wishedMotion`.
-[[nodiscard]] SceneFindAnswer answerOf(const Assembly& assembly, const Network& network,
-                                       const std::vector<ContactSpan>& schedule,
-                                       const NetworkWish& wish, const FindOptions& options);
+/// How a call has motions of bars looked for. \throws std::invalid_argument on demands that do not
+/// go together; as WavesOf.
+struct SearchInBars {
+    FindOptions options;
+    NetworkWish wish;
+
+    SearchInBars(const Call& call, const BarsAsked& bars, const WavesOf& wavesOf);
+    /// The motion of least energy, or of the wish, or why there is none. \throws as `wishedMotion`.
+    [[nodiscard]] SceneFindAnswer of(const BarsAsked& bars, const std::vector<ContactSpan>& spans,
+                                     const Cancel& cancel) const;
+};
+
+/// What a call asks of a schedule. \throws as SearchInBars.
+[[nodiscard]] Question<SceneFindAnswer> motionAsked(const Call& call, const BarsAsked& bars,
+                                                    const WavesOf& wavesOf);
 
 /// Starts beside the motion, if there is one, and its waves are not 0.
 void tryStability(SceneFindAnswer& answer, const Cancel& cancel);
@@ -204,6 +230,12 @@ struct SceneForcedAnswer {
     std::vector<SceneForcedMotion> motions;
 
     [[nodiscard]] Status status() const { return decided; }
+    [[nodiscard]] const SceneSchedule& followed() const { return schedule; }
+    /// Of one motion. \throws std::out_of_range
+    [[nodiscard]] const NetworkClaim& claim(std::size_t which) const
+    {
+        return motions.at(which).claim;
+    }
     /// Of the excitation [Hz].
     [[nodiscard]] double frequency() const
     {
@@ -211,12 +243,10 @@ struct SceneForcedAnswer {
     }
 };
 
-/// The least amplitude, or the motions of the one that is asked for [N or m, or of a derivative of
-/// the base's displacement m/s, m/s^2]. \throws as `forcedScene`.
-[[nodiscard]] SceneForcedAnswer forcedAnswerOf(const Assembly& assembly, const Network& network,
-                                               const std::vector<ContactSpan>& schedule,
-                                               const Forcing& forcing,
-                                               std::optional<double> amplitude, int derivative);
+/// The least amplitude, or the motions of the one that a call asks for [N or m, or of a derivative
+/// of the base's displacement m/s, m/s^2]. \throws std::invalid_argument on options that are
+/// missing; when it is asked, as `forcedScene`.
+[[nodiscard]] Question<SceneForcedAnswer> forcedAsked(const Call& call, const BarsAsked& bars);
 
 /// Starts beside each motion.
 void tryStability(SceneForcedAnswer& answer, const Cancel& cancel);

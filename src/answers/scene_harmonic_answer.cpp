@@ -61,8 +61,7 @@ bool mayPress(const Network& network)
 
 }  // namespace
 
-std::function<SceneHarmonicAnswer(const Cancel&)> harmonicAsked(const Call& call,
-                                                                const Assembly& assembly)
+Question<SceneHarmonicAnswer> harmonicAsked(const Call& call, const Assembly& assembly)
 {
     const ForceOptions force(call);
     force.requirePlace();
@@ -72,9 +71,9 @@ std::function<SceneHarmonicAnswer(const Cancel&)> harmonicAsked(const Call& call
              call.text("--contacts"), "1; more where a clamp or a spring holds every bar");
     const std::int64_t cycles = call.whole("--cycles").value_or(1);
     return [=, steps = stepsAsked(call, assembly, cycles),
-            limit = call.number("--strain-limit")](const Cancel& cancel) {
+            limit = call.number("--strain-limit")](const Watch& watch) {
         return within(limit, answerOf(assembly, *force.place, cycles, steps, *force.amplitude,
-                                      force.derivative, contacts, cancel));
+                                      force.derivative, contacts, watch.cancel));
     };
 }
 

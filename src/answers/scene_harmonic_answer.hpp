@@ -90,10 +90,10 @@ struct SceneHarmonicAnswer {
 [[nodiscard]] SceneHarmonicMotion motionOf(const Assembly& assembly, const NetworkScales& scales,
                                            NetworkHarmonicMotion motion);
 
-/// What a call asks of bars, to be answered. \throws std::invalid_argument on options that are
-/// missing or do not go together.
-[[nodiscard]] std::function<SceneHarmonicAnswer(const Cancel&)> harmonicAsked(
-    const Call& call, const Assembly& assembly);
+/// What a call asks of bars. \throws std::invalid_argument on options that are missing or do not go
+/// together.
+[[nodiscard]] Question<SceneHarmonicAnswer> harmonicAsked(const Call& call,
+                                                          const Assembly& assembly);
 
 /// Of an amplitude [N or m], or of a derivative of the base's displacement [m/s, m/s^2].
 /// \throws as harmonicContacts (harmonic_network_contact.hpp), or of several contacts as

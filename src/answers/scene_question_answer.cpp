@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "scene_harmonic_answer.hpp"
+
 namespace signorini::answers {
 
 std::int64_t SceneQuestionAnswer::count(Status status) const
@@ -17,23 +19,23 @@ Status SceneQuestionAnswer::status() const
                                           : Status::none;
 }
 
-SceneQuestionAnswer questionOf(const Assembly& assembly, const Network& network, std::int64_t steps,
-                               const NetworkWish& wish, const FindOptions& options,
-                               const std::function<void(double, double)>& show)
+namespace {
+
+SceneQuestionAnswer answerOf(const BarsAsked& bars, std::int64_t steps, const SearchInBars& search,
+                             const Watch& watch)
 {
-    SceneQuestionAnswer answer{scheduleOf(assembly, network, {{0, steps}}), {}, {}};
-    const std::size_t contacts = network.contacts.size();
+    SceneQuestionAnswer answer{scheduleOf(bars.assembly, bars.network, {{0, steps}}), {}, {}};
+    const std::size_t contacts = bars.network.contacts.size();
     const auto all = static_cast<double>(contacts) * static_cast<double>(steps - 1);
     for (std::size_t j = 0; j < contacts; ++j) {
         for (std::int64_t m = 1; m < steps; ++m) {
             const ContactSet closed = ContactSet{1} << j;
             SceneSet& set = answer.sets.emplace_back(SceneSet{j, m, Status::undecided, {}});
-            if (isRequested(options.cancel)) {
+            if (isRequested(watch.cancel)) {
                 set.detail = "interrupted";
                 continue;
             }
-            SceneFindAnswer found =
-                answerOf(assembly, network, {{closed, m}, {0, steps - m}}, wish, options);
+            SceneFindAnswer found = search.of(bars, {{closed, m}, {0, steps - m}}, watch.cancel);
             set.status = found.status();
             if (set.status == Status::undecided) {
                 set.detail = found.motions.detail;
@@ -41,10 +43,21 @@ SceneQuestionAnswer questionOf(const Assembly& assembly, const Network& network,
             if (found.isFound()) {
                 answer.motions.push_back(std::move(found));
             }
-            show(static_cast<double>(answer.sets.size()), all);
+            watch.show(static_cast<double>(answer.sets.size()), all);
         }
     }
     return answer;
+}
+
+}  // namespace
+
+Question<SceneQuestionAnswer> periodAsked(const Call& call, const BarsAsked& bars,
+                                          const WavesOf& wavesOf)
+{
+    const std::int64_t steps = stepsAsked(call, bars.assembly, 1);
+    const SearchInBars search(call, bars, wavesOf);
+    return tried<SceneQuestionAnswer>(
+        call, steps, [=](const Watch& watch) { return answerOf(bars, steps, search, watch); });
 }
 
 void tryStability(SceneQuestionAnswer& answer, const Cancel& cancel)

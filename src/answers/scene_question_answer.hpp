@@ -29,12 +29,10 @@ struct SceneQuestionAnswer {
     [[nodiscard]] std::int64_t count(Status status) const;
 };
 
-/// O(n) schedules for each contact, each with the limits of the options. \pre steps of `stepsOf`
-/// (scene_harmonic_answer.hpp). \throws std::invalid_argument as `wishedMotion`.
-[[nodiscard]] SceneQuestionAnswer questionOf(const Assembly& assembly, const Network& network,
-                                             std::int64_t steps, const NetworkWish& wish,
-                                             const FindOptions& options,
-                                             const std::function<void(double, double)>& show);
+/// What a call asks of a period: O(n) schedules for each contact, each with the limits of the
+/// options. \throws std::invalid_argument as SearchInBars and stepsAsked.
+[[nodiscard]] Question<SceneQuestionAnswer> periodAsked(const Call& call, const BarsAsked& bars,
+                                                        const WavesOf& wavesOf);
 
 /// Starts beside each motion.
 void tryStability(SceneQuestionAnswer& answer, const Cancel& cancel);

@@ -76,9 +76,13 @@ NetworkStart startOf(const Network& network, std::vector<double> speeds)
     return startWithSpeeds(network, speeds);
 }
 
-double durationOf(const Network& network, const SceneDrive& drive,
-                  const std::optional<double>& time, const std::optional<std::int64_t>& periods)
+namespace {
+
+/// How long a call asks for [h].
+double durationOf(const Call& call, const Network& network, const SceneDrive& drive)
 {
+    const auto periods = call.whole("--periods");
+    const auto time = call.number("--time");
     const double duration =
         periods ? static_cast<double>(*periods) * drive.moved.period : *time / network.scales.time;
     const double most = 1e9 * static_cast<double>(network.cells());
@@ -90,14 +94,19 @@ double durationOf(const Network& network, const SceneDrive& drive,
     return duration;
 }
 
-NetworkSimulation simulationOf(const Network& network, const NetworkStart& start,
-                               const SceneDrive& drive, bool recordsPaths)
+}  // namespace
+
+FollowedBars::FollowedBars(const Call& call, const Assembly& assembly, const Network& network,
+                           const SceneDrive& drive, const NetworkStart& start, bool recordsPaths)
+    : answer{.bars = severalOf(assembly, network), .drive = drive.told},
+      simulation{network,
+                 start,
+                 driveFrom(network, start, drive.moved),
+                 {.mergeBelow = 1e-12 * std::max(1.0, largestSizeOf(start.waves)),
+                  .recordsPaths = recordsPaths}},
+      moved(drive.moved),
+      duration(durationOf(call, network, drive))
 {
-    const double size = std::max(1.0, largestSizeOf(start.waves));
-    return {network,
-            start,
-            driveFrom(network, start, drive.moved),
-            {.mergeBelow = 1e-12 * size, .recordsPaths = recordsPaths}};
 }
 
 std::vector<NetworkContactEvent> contactsOf(const NetworkSimulation& simulation)
@@ -114,18 +123,17 @@ std::vector<NetworkContactEvent> contactsOf(const NetworkSimulation& simulation)
     return contacts;
 }
 
-void SceneSimulationAnswer::follow(NetworkSimulation& simulation, const HarmonicDrive& moved,
-                                   double duration, const Cancel& cancel,
-                                   const std::function<void(double, double)>& show)
+void FollowedBars::follow(const Watch& watch)
 {
     const bool isHarmonic = moved.period > 0.0;
     const double stretch =
         isHarmonic ? moved.period : 16.0 * static_cast<double>(simulation.network().cells());
     WatchedNetwork seen(simulation, moved.drive);
-    Followed followed = signorini::follow(seen, stretch, duration / stretch, cancel, show);
-    isComplete = followed.isComplete;
-    settling = isHarmonic ? std::move(followed.settling) : Settling{};
-    see(simulation);
+    Followed followed =
+        signorini::follow(seen, stretch, duration / stretch, watch.cancel, watch.show);
+    answer.isComplete = followed.isComplete;
+    answer.settling = isHarmonic ? std::move(followed.settling) : Settling{};
+    answer.see(simulation);
 }
 
 void SceneSimulationAnswer::see(const NetworkSimulation& simulation)

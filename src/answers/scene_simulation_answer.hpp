@@ -4,6 +4,7 @@
 
 #include "network_sweep.hpp"
 #include "scene_answer.hpp"
+#include "watch.hpp"
 
 namespace signorini::answers {
 
@@ -24,16 +25,6 @@ struct SceneDrive {
 /// Undeformed, each bar with its own speed [m/s]. \throws std::invalid_argument naming one whose
 /// energy is no number, and as startWithSpeeds.
 [[nodiscard]] NetworkStart startOf(const Network& network, std::vector<double> speeds);
-
-/// How long a call asks for: so many seconds, or periods of the harmonic [h].
-/// \throws std::invalid_argument naming time or periods beyond 1e9 crossings of all bars.
-[[nodiscard]] double durationOf(const Network& network, const SceneDrive& drive,
-                                const std::optional<double>& time,
-                                const std::optional<std::int64_t>& periods);
-
-/// From a start; its faded jumps become one.
-[[nodiscard]] NetworkSimulation simulationOf(const Network& network, const NetworkStart& start,
-                                             const SceneDrive& drive, bool recordsPaths);
 
 /// All that its contacts did, in SI units.
 [[nodiscard]] std::vector<NetworkContactEvent> contactsOf(const NetworkSimulation& simulation);
@@ -73,12 +64,24 @@ struct SceneSimulationAnswer {
     double merged = 0.0;
     double impulseUnit = 1.0;  ///< of what it settled on
 
-    /// Goes on for so many h, and takes what was seen.
-    void follow(NetworkSimulation& simulation, const HarmonicDrive& moved, double duration,
-                const Cancel& cancel, const std::function<void(double, double)>& show);
     /// Takes what was seen so far.
     void see(const NetworkSimulation& simulation);
     [[nodiscard]] Ending status() const { return isComplete ? Ending::done : Ending::interrupted; }
+};
+
+/// Bars that a call has followed, and their answer.
+struct FollowedBars {
+    SceneSimulationAnswer answer;
+    NetworkSimulation simulation;
+    HarmonicDrive moved;
+    double duration;  ///< [h]
+
+    /// From a start to --time or --periods of the drive; faded jumps become one.
+    /// \throws std::invalid_argument naming those if they are beyond 1e9 crossings of all bars.
+    FollowedBars(const Call& call, const Assembly& assembly, const Network& network,
+                 const SceneDrive& drive, const NetworkStart& start, bool recordsPaths);
+    /// Goes to the end, and takes what was seen.
+    void follow(const Watch& watch);
 };
 
 void describe(auto& d, Type<ContactTotals>)

@@ -89,9 +89,9 @@ Bar SimulationAnswer::bar() const
     return firstMaterial(scene);
 }
 
-void FollowedBar::follow(const Cancel& cancel, const std::function<void(double, double)>& show)
+void FollowedBar::follow(const Watch& watch)
 {
-    Followed followed = signorini::follow(simulation, stretch, total, cancel, show);
+    Followed followed = signorini::follow(simulation, stretch, total, watch.cancel, watch.show);
     answer.isComplete = followed.isComplete;
     answer.settling = answer.drive ? std::move(followed.settling) : Settling{};
     answer.see(simulation);

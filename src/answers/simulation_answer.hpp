@@ -2,9 +2,9 @@
 /// \file
 /// What a simulation came to.
 
-#include "call.hpp"
 #include "parts.hpp"
 #include "signorini/settling.hpp"
+#include "watch.hpp"
 
 namespace signorini::answers {
 
@@ -96,7 +96,7 @@ struct FollowedBar {
     double total = 0.0;    ///< so many of them
 
     /// To the end, or until it is cancelled.
-    void follow(const Cancel& cancel, const std::function<void(double, double)>& show);
+    void follow(const Watch& watch);
 };
 
 /// A bar at its start. Scene, damping and drive are those of `asked`.

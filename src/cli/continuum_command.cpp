@@ -36,37 +36,27 @@ void warnOfWorst(const CommonOptions& common, const Continuum& curve)
 ExitStatus runContinuum(const Given& given)
 {
     const CommonOptions common(given);
-    answers::requireCurve(given);
     refuseIf(given.has("--member") != given.has("--state"),
              "--member and --state: allowed both or neither");
     if (const auto assembly = barsOf(given, common)) {
         return continuumInBars(given, common, *assembly);
     }
-    Schedule schedule{common.usualCells(), parsePhases(given.words())};
     const Scene scene = common.scene();
-    ContinuumOptions request = answers::continuumAsked(given, scene, [&](const char* option) {
-        const std::string path = given.text(option);
-        return forFile(option, path,
-                       [&] { return readState(path, scene.bar, common.usualCells()).state; });
-    });
-    const double ratio = answers::energyAsked(given, scene.bar).value();
-    schedule.stops = stopsOf(request.scene);
-    validate(schedule);
+    const auto question = answers::continuumAsked(
+        given, scene, {common.usualCells(), parsePhases(given.words())}, [&](const char* option) {
+            const std::string path = given.text(option);
+            return forFile(option, path,
+                           [&] { return readState(path, scene.bar, common.usualCells()).state; });
+        });
     Outputs outputs(given, {"--csv", "--state", "--figure", "--animate"});
-
-    answers::ContinuumAnswer answer;
-    watched(common, "tracing", [&](const Cancel& cancel, const auto& show) {
-        request.cancel = cancel;
-        request.progress = show;
-        answer.curve = std::make_shared<const Continuum>(traceContinuum(schedule, ratio, request));
-    });
+    answers::ContinuumAnswer answer = watched(common, "tracing", question);
     const Continuum& curve = *answer.curve;
     if (!curve.points.empty()) {
         if (const auto member = given.number("--member")) {
             answer.asked = memberAt(curve, *member);
         }
         outputs.put("--state", [&](const std::string& path) {
-            writeStateCsv(path, answer.asked->point.state, request.scene.bar);
+            writeStateCsv(path, answer.asked->point.state, scene.bar);
         });
         outputs.put("--csv", [&](const std::string& path) { writeContinuumCsv(path, curve); });
         outputs.draw("--figure", [&] { return continuumFigure(curve); });

@@ -33,7 +33,6 @@ FindRequest completed(const FindCommand& call)
     FindRequest request{answers::findAsked(call.given, call.common.scene()), {}};
     FindOptions& options = request.options;
     const std::string target = call.given.text("--target");
-    requireTarget(options, target);
     if (!target.empty()) {
         StateReading read = forFile("--target", target, [&] {
             return readState(target, options.scene.bar, call.common.usualCells());
@@ -48,14 +47,12 @@ FindRequest completed(const FindCommand& call)
 answers::FindAnswer search(const Schedule& schedule, const FindRequest& request,
                            const CommonOptions& common)
 {
-    FindOptions options = request.options;
-    return watched(common, "finding a motion", [&](const Cancel& cancel, const auto&) {
-        options.cancel = cancel;
-        PeriodicResult result = findPeriodic(schedule, options);
-        if (result.status == Status::undecided && isRequested(cancel)) {
+    return watched(common, "finding a motion", [&](const answers::Watch& watch) {
+        PeriodicResult result = findPeriodic(schedule, watch.on(request.options));
+        if (result.status == Status::undecided && isRequested(watch.cancel)) {
             common.say("interrupted");
         }
-        return answers::answerOf(std::move(result), options, request.reading);
+        return answers::answerOf(std::move(result), request.options, request.reading);
     });
 }
 
@@ -90,20 +87,11 @@ void writeFiles(FindOutputs& files, const FindOptions& options, const PeriodicRe
 
 }  // namespace
 
-void requireTarget(const FindOptions& options, const std::string& target)
-{
-    refuseIf(options.objective == Objective::nearest && target.empty(),
-             "--target is missing: --objective nearest needs a state file");
-    refuseIf(!target.empty() && options.objective != Objective::nearest,
-             "--target clashes with --objective: allowed only nearest");
-}
-
 FindCommand::FindCommand(const Given& words)
     : given(words),
       common(words),
       force(words),
       cycles(words.whole("--cycles").value_or(1)),
-      options(answers::searchAsked(words)),
       yieldStress(words.number("--yield-stress"))
 {
 }

@@ -27,8 +27,7 @@ struct FindCommand {
     const Given& given;
     CommonOptions common;
     ForceOptions force;
-    std::int64_t cycles;  ///< of the force in a period
-    FindOptions options;
+    std::int64_t cycles;                ///< of the force in a period
     std::optional<double> yieldStress;  ///< [Pa]
 
     explicit FindCommand(const Given& words);
@@ -79,9 +78,6 @@ private:
 
 /// The same under an exact harmonic; their words say what is damped.
 [[nodiscard]] ExitStatus findHarmonicInBars(const FindCommand& call, const Assembly& assembly);
-
-/// A target belongs to the objective nearest. \throws std::invalid_argument
-void requireTarget(const FindOptions& options, const std::string& target);
 
 /// Free motions of a schedule of a network, in SI.
 [[nodiscard]] ExitStatus findInScene(const FindCommand& command);

@@ -1,6 +1,6 @@
 
 #include "find_command.hpp"
-#include "interrupt.hpp"
+#include "progress.hpp"
 #include "reports.hpp"
 #include "stepped_bar.hpp"
 
@@ -55,8 +55,7 @@ ExitStatus answerHarmonic(const FindCommand& call)
     }
     FindOutputs files(call);
     const auto question = answers::harmonicAsked(call.given, scene, common.usualCells());
-    const Interrupt interrupt;
-    const answers::HarmonicAnswer answer = question(interrupt.cancel());
+    const answers::HarmonicAnswer answer = watched(common, "finding motions", question);
     if (answer.motions.empty()) {
         files.lackMotion();
     } else if (files.areOfMotion()) {
@@ -70,10 +69,8 @@ ExitStatus answerForced(const FindCommand& call, const Schedule& schedule)
 {
     const CommonOptions& common = call.common;
     const auto question = answers::forcedAsked(call.given, common.scene(), schedule);
-    call.requireTried(steps(schedule));
     FindOutputs files(call);
-    answers::ForcedAnswer answer = question();
-    call.tryIfAsked(answer);
+    const answers::ForcedAnswer answer = watched(common, "finding motions", question);
     writeFiles(files, answer);
     return finish(call, answer);
 }

@@ -40,7 +40,7 @@ struct JsonKeys {
              answers::When when = answers::When::always)
     {
         using Value = std::remove_cvref_t<std::invoke_result_t<Get, const T&>>;
-        if (when == answers::When::python) {
+        if (when == answers::When::python || when == answers::When::attribute) {
             return;
         }
         if (name == leftNull) {

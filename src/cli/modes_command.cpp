@@ -12,6 +12,35 @@
 
 namespace signorini::cli {
 
+namespace {
+
+/// Answers with a list, written and drawn as these do.
+ExitStatus answer(const Given& given, const CommonOptions& common, const auto& question,
+                  const auto& write, const auto& draw)
+{
+    Outputs outputs(given, {"--csv", "--figure"});
+    const auto list = watched(common, "listing modes", question);
+    if (list.isComplete) {
+        outputs.put("--csv", [&](const std::string& path) { write(path, list); });
+        outputs.draw("--figure", [&] { return draw(list); });
+        outputs.commit();
+    } else {
+        common.say(fmt::format("interrupted; the list is not complete{}",
+                               outputs.areWanted() ? ", so no file was written" : ""));
+    }
+    report(common, list);
+    common.useOneThread();
+    return list.isComplete ? exitFound : exitUndecided;
+}
+
+/// From the lowest energy there is to where curves are upright lines.
+FrequencyEnergyOptions drawingOf(const auto& list)
+{
+    return {.maxEnergyRatio = std::clamp(list.bounds.maxEnergyRatio, 2.0, 1e6), .bar = list.bar};
+}
+
+}  // namespace
+
 ExitStatus runModes(const Given& given)
 {
     const CommonOptions common(given);
@@ -19,47 +48,18 @@ ExitStatus runModes(const Given& given)
     // Several contacts are known for a gap > 0.
     const Bar bar = phases == 1 ? common.barOfAnyGap() : common.bar();
     common.requireGap(bar, bar.gap != 0.0);
-    ModeBounds all = answers::modesAsked(given, phases, bar);
-    FrequencyEnergyOptions drawing;
-    if (given.has("--figure")) {
-        refuseIf(bar.gap < 0.0,
-                 "--figure: allowed with a gap > 0, whose plot it is; --csv holds the curves");
-        drawing.bar = bar;
-        // From the lowest energy there is to where curves are upright lines.
-        drawing.maxEnergyRatio = std::clamp(all.maxEnergyRatio, 2.0, 1e6);
+    refuseIf(given.has("--figure") && bar.gap < 0.0,
+             "--figure: allowed with a gap > 0, whose plot it is; --csv holds the curves");
+    if (phases > 1) {
+        return answer(given, common, answers::polytopesAsked(given, phases, bar, common.weight()),
+                      writePolytopesCsv, [](const answers::PolytopeList& list) {
+                          return polytopesFigure(list.polytopes, drawingOf(list));
+                      });
     }
-    answers::ModeList listing{all, bar, {}};
-    answers::PolytopeList polytopes{phases, all, bar, {}};
-    Outputs outputs(given, {"--csv", "--figure"});
-    const bool isComplete =
-        watched(common, "listing modes", [&](const Cancel& cancel, const auto& show) {
-            all.cancel = cancel;
-            all.progress = show;
-            if (phases == 1) {
-                listing.modes = findModes(all);
-            } else {
-                polytopes.polytopes = findPolytopes(phases, all);
-            }
-            return !isRequested(cancel);
-        });
-    listing.isComplete = polytopes.isComplete = isComplete;
-    listing.gravity = polytopes.gravity = common.weight();
-    if (isComplete) {
-        outputs.put("--csv", [&](const std::string& path) {
-            phases == 1 ? writeModesCsv(path, listing) : writePolytopesCsv(path, polytopes);
-        });
-        outputs.draw("--figure", [&] {
-            return phases == 1 ? frequencyEnergyFigure({.modes = listing.modes}, drawing)
-                               : polytopesFigure(polytopes.polytopes, drawing);
-        });
-        outputs.commit();
-    } else {
-        common.say(fmt::format("interrupted; the list is not complete{}",
-                               outputs.areWanted() ? ", so no file was written" : ""));
-    }
-    phases == 1 ? report(common, listing) : report(common, polytopes);
-    common.useOneThread();
-    return isComplete ? exitFound : exitUndecided;
+    return answer(given, common, answers::modesAsked(given, bar, common.weight()), writeModesCsv,
+                  [](const answers::ModeList& list) {
+                      return frequencyEnergyFigure({.modes = list.modes}, drawingOf(list));
+                  });
 }
 
 }  // namespace signorini::cli

@@ -11,6 +11,7 @@
 
 #include "arguments.hpp"
 #include "interrupt.hpp"
+#include "watch.hpp"
 
 namespace signorini::cli {
 
@@ -55,14 +56,14 @@ private:
     std::thread writer_;
 };
 
-/// Work that signals end, and of which it is said how far it has come: work(cancel, show), show as
-/// Progress has it.
-auto watched(const CommonOptions& common, const char* words, auto work)
+/// Work that signals end, and of which it is said how far it has come.
+auto watched(const CommonOptions& common, const char* words, const auto& work)
 {
     const Interrupt interrupt;
     Progress progress(!common.quiet, words, common.progressFile);
-    return work(interrupt.cancel(),
-                [&progress](double done, double total) { progress.show(done, total); });
+    return work(answers::Watch{interrupt.cancel(), [&progress](double done, double total) {
+                                   progress.show(done, total);
+                               }});
 }
 
 }  // namespace signorini::cli

@@ -107,11 +107,12 @@ ExitStatus runExact(const Given& given, const CommonOptions& common, const Force
     answer.yieldStress = yieldStressOf(given, answer.bar);
     Outputs outputs(given, {"--csv", "--figure"});
     const std::vector<std::int64_t> steps = stepsOf(asked);
-    watched(common, "frequencies", [&](const Cancel& cancel, const auto& show) {
+    watched(common, "frequencies", [&](const answers::Watch& watch) {
         answer.frequencies = shareOut(
-            steps, common.threads, [&](std::int64_t n) { return exactAt(asked, n, cancel); }, show);
-        answer.branches = exactBranches(asked, answer.frequencies, cancel);
-        answer.isComplete = answer.frequencies.size() == steps.size() && !isRequested(cancel);
+            steps, common.threads, [&](std::int64_t n) { return exactAt(asked, n, watch.cancel); },
+            watch.show);
+        answer.branches = exactBranches(asked, answer.frequencies, watch.cancel);
+        answer.isComplete = answer.frequencies.size() == steps.size() && !isRequested(watch.cancel);
     });
     if (answer.isComplete) {
         outputs.put("--csv", writeExactCsv, answer);
@@ -186,8 +187,8 @@ ExitStatus runResponse(const Given& given)
     refuseIf(given.has("--force-steps"), "--force-steps", given.text("--force-steps"),
              "only with --exact: without it the force is a staircase of --cells steps");
     Outputs outputs(given, {"--csv", "--map-csv", "--backbone-csv", "--figure", "--map"});
-    watched(common, "frequencies", [&](const Cancel& cancel, const auto& show) {
-        Worker worker{common, given.has("--stability"), cancel, show};
+    watched(common, "frequencies", [&](const answers::Watch& watch) {
+        Worker worker{common, given.has("--stability"), watch.cancel, watch.show};
         const auto work = [&worker](const ResponseRange& one) { return worker.work(one); };
         answer.frequencies =
             common.choosesCells ? refinedResponse(answer.range, work) : work(answer.range);

@@ -94,25 +94,11 @@ std::string asText(const answers::SceneContinuumAnswer& answer)
 ExitStatus continuumInBars(const Given& given, const CommonOptions& common,
                            const Assembly& assembly)
 {
-    Network network = networkOf(assembly);
-    const std::vector<ContactSpan> schedule = spansOf(given, common, network.contacts.size());
-    answers::limitStrain(network, assembly, given.number("--strain-limit"));
-    const double energy = answers::energyAsked(given, network).value();
-    NetworkCurveOptions options = answers::continuumAsked(given, [&](const char* option) {
-        std::optional<std::vector<double>> waves;
-        if (const std::string path = given.text(option); !path.empty()) {
-            waves = forFile(option, path,
-                            [&] { return readNearestWaves(path, network, barOf(assembly)); });
-        }
-        return waves;
-    });
+    answers::BarsAsked bars(given, assembly);
+    bars.spans = spansOf(given, common, bars.network.contacts.size());
+    const auto question = answers::continuumAsked(given, bars, wavesIn(given));
     Outputs outputs(given, {"--csv", "--state", "--figure", "--animate"});
-    answers::SceneContinuumAnswer answer =
-        watched(common, "tracing", [&](const Cancel& cancel, const auto& show) {
-            options.cancel = cancel;
-            options.progress = show;
-            return answers::continuumOf(assembly, network, schedule, energy, options);
-        });
+    answers::SceneContinuumAnswer answer = watched(common, "tracing", question);
     const NetworkContinuum& curve = answer.curve();
     if (!curve.points.empty()) {
         if (const auto member = given.number("--member")) {
@@ -120,10 +106,10 @@ ExitStatus continuumInBars(const Given& given, const CommonOptions& common,
         }
         outputs.put("--state", [&](const std::string& path) {
             const NetworkClaim& motion = curve.points[*answer.asked].motion;
-            writeStateTable(path, network, {motion.waves, motion.displacements});
+            writeStateTable(path, bars.network, {motion.waves, motion.displacements});
         });
         outputs.put("--csv",
-                    [&](const std::string& path) { writeContinuumCsv(path, network, curve); });
+                    [&](const std::string& path) { writeContinuumCsv(path, bars.network, curve); });
         outputs.draw("--figure", [&] { return sceneContinuumFigure(answer); });
         outputs.draw("--animate", [&] { return sceneContinuumFrames(answer); });
         outputs.commit();

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "interrupt.hpp"
+#include "progress.hpp"
 #include "scene_options.hpp"
 #include "scene_report.hpp"
 #include "stops.hpp"
@@ -18,7 +18,7 @@ using answers::SceneFindAnswer;
 /// Pushes on a bar that drifts balance what else acts on it, on average.
 std::string whyGrazing(const SceneFind& of)
 {
-    return pushesBalance(of.network, of.schedule)
+    return pushesBalance(of.bars.network, of.bars.spans)
                ? ", nor does it in any other motion of this schedule: the pushes on a bar that "
                  "nothing else holds balance"
                : "";
@@ -44,7 +44,7 @@ std::string asText(const SceneFindAnswer& answer, const SceneFind& of)
                         schedule.joules(motions.energy),
                         schedule.unit ? ", " + inWords(schedule, motions.energy) : "",
                         answer.isOfLeast ? ", the least" + limited
-                        : of.call.options.objective == Objective::maxEnergy ? std::string(mostFound)
+                        : of.call.given.text("--objective") == "max-energy" ? std::string(mostFound)
                                                                             : "",
                         limited, inWords(schedule, motions.provedEnergy));
         if (!answer.presses()) {
@@ -73,17 +73,18 @@ std::string inWords(const answers::SceneSchedule& schedule, double energy, int d
                        ratio ? "E₁" : "J");
 }
 
-NetworkWish wishOf(const FindCommand& call, const Assembly& assembly, const Network& network)
+answers::WavesOf wavesIn(const Given& given)
 {
-    const FindOptions& options = call.options;
-    NetworkWish wish{options.objective, answers::energyAsked(call.given, network), {}};
-    const std::string target = call.given.text("--target");
-    requireTarget(options, target);
-    if (!target.empty()) {
-        wish.target = forFile("--target", target,
-                              [&] { return readNearestWaves(target, network, barOf(assembly)); });
-    }
-    return wish;
+    return [&given](const char* option, const answers::BarsAsked& bars) {
+        const std::string path = given.text(option);
+        std::optional<std::vector<double>> waves;
+        if (!path.empty()) {
+            waves = forFile(option, path, [&] {
+                return readNearestWaves(path, bars.network, barOf(bars.assembly));
+            });
+        }
+        return waves;
+    };
 }
 
 void warnOf(const answers::SceneStrains& strains, const FindCommand& call)
@@ -148,25 +149,22 @@ std::vector<ContactSpan> spansOf(const Given& given, const CommonOptions& common
 }
 
 SceneFind::SceneFind(const FindCommand& of)
-    : call(of),
-      assembly(of.common.assembly()),
-      network(networkOf(assembly)),
-      schedule(spansOf(of.given, of.common, network.contacts.size())),
-      files(of)
+    : call(of), bars(of.given, of.common.assembly()), files(of)
 {
-    requireOfBars(of, assembly);
-    answers::limitStrain(network, assembly, of.given.number("--strain-limit"));
+    requireOfBars(of, bars.assembly);
+    bars.spans = spansOf(of.given, of.common, bars.network.contacts.size());
 }
 
 std::string SceneFind::lines(Status status) const
 {
-    return headline(assembly, network) + fmt::format("{:<12}{}\n", name(status), textOf(schedule));
+    return headline(bars.assembly, bars.network) +
+           fmt::format("{:<12}{}\n", name(status), textOf(bars.spans));
 }
 
 void SceneFind::write(const NetworkClaim* motion, bool isProof, const std::string& json)
 {
     if (motion != nullptr) {
-        files.writeBars(assembly, network, *motion);
+        files.writeBars(bars.assembly, bars.network, *motion);
     } else {
         files.lackMotion();
     }
@@ -184,16 +182,9 @@ ExitStatus findInScene(const FindCommand& command)
         return findForcedInScene(command);
     }
     SceneFind scene(command);
-    const Interrupt interrupt;
-    FindOptions options = command.options;
-    options.cancel = interrupt.cancel();
-    command.requireTried(stepsOf(scene.schedule));
-    SceneFindAnswer answer =
-        answers::answerOf(scene.assembly, scene.network, scene.schedule,
-                          wishOf(command, scene.assembly, scene.network), options);
-    if (command.triesStability()) {
-        tryStability(answer, options.cancel);
-    }
+    const SceneFindAnswer answer =
+        watched(command.common, "finding a motion",
+                answers::motionAsked(command.given, scene.bars, wavesIn(command.given)));
     if (const auto strains = answer.strains()) {
         warnOf(*strains, command);
     }

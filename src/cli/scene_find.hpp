@@ -15,9 +15,7 @@ namespace signorini::cli {
 /// What is asked, and the files of the call.
 struct SceneFind {
     const FindCommand& call;
-    Assembly assembly;
-    Network network;
-    std::vector<ContactSpan> schedule;
+    answers::BarsAsked bars;
     FindOutputs files;
 
     /// \throws std::invalid_argument as spansOf; FileError.
@@ -40,9 +38,8 @@ private:
     void write(const NetworkClaim* motion, bool isProof, const std::string& json);
 };
 
-/// What is asked of a motion. \throws std::invalid_argument, FileError.
-[[nodiscard]] NetworkWish wishOf(const FindCommand& call, const Assembly& assembly,
-                                 const Network& network);
+/// The waves in the files that a call names. It must outlive them.
+[[nodiscard]] answers::WavesOf wavesIn(const Given& given);
 /// Is any word SET:STEPS?
 [[nodiscard]] bool hasSets(const Given& given);
 /// SET:STEPS; of a bar by its options NC NF [L:NC NF ...], too.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "progress.hpp"
 #include "scene_find.hpp"
 
 namespace signorini::cli {
@@ -43,15 +44,11 @@ std::string asText(const answers::SceneForcedAnswer& answer, const SceneFind& of
 
 ExitStatus findForcedInScene(const FindCommand& command)
 {
-    const ForceOptions& force = command.force;
     command.common.requireOwnDamping();
-    force.requirePlace();
+    command.force.requirePlace();
     SceneFind scene(command);
-    const Forcing forcing{*force.place, command.cycles, {}};
-    command.requireTried(stepsOf(scene.schedule));
-    answers::SceneForcedAnswer answer = answers::forcedAnswerOf(
-        scene.assembly, scene.network, scene.schedule, forcing, force.amplitude, force.derivative);
-    command.tryIfAsked(answer);
+    const answers::SceneForcedAnswer answer =
+        watched(command.common, "finding motions", answers::forcedAsked(command.given, scene.bars));
     for (const answers::SceneForcedMotion& one : answer.motions) {
         warnOf(one.physical.strains, command);
     }

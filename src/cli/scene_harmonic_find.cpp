@@ -2,7 +2,7 @@
 
 #include "contact_spans.hpp"
 #include "find_command.hpp"
-#include "interrupt.hpp"
+#include "progress.hpp"
 #include "reports.hpp"
 #include "scene_find.hpp"
 #include "scene_harmonic_answer.hpp"
@@ -61,8 +61,7 @@ ExitStatus findHarmonicInBars(const FindCommand& call, const Assembly& assembly)
     requireOfBars(call, assembly);
     FindOutputs files(call);
     const auto question = answers::harmonicAsked(call.given, assembly);
-    const Interrupt interrupt;
-    const answers::SceneHarmonicAnswer answer = question(interrupt.cancel());
+    const answers::SceneHarmonicAnswer answer = watched(call.common, "finding motions", question);
     if (answer.motions.empty()) {
         files.lackMotion();
     } else {  // the last one has the largest impulse

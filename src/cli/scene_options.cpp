@@ -129,21 +129,13 @@ std::string contentOf(const std::string& path)
 
 Assembly readAssembly(const std::string& text, const Bar& bar, double gravity)
 {
-    Assembly assembly;
-    if (text.ends_with(".json")) {
-        refuseIf(!(bar == Bar{}) || gravity != 0.0,
-                 "--scene FILE.json clashes with --length, --wave-speed, --axial-stiffness, "
-                 "--young, "
-                 "--density, --area, --gravity: the file gives them");
-        assembly = assemblyOfJson(contentOf(text), text);
-    } else {
-        assembly = {.parts = partsOf(text),
-                    .length = bar.length,
-                    .waveSpeed = bar.waveSpeed,
-                    .axialStiffness = bar.axialStiffness,
-                    .gravity = gravity,
-                    .young = bar.young};
+    if (!text.ends_with(".json")) {
+        return answers::assemblyIn(text, bar, gravity);
     }
+    refuseIf(!(bar == Bar{}) || gravity != 0.0,
+             "--scene FILE.json clashes with --length, --wave-speed, --axial-stiffness, --young, "
+             "--density, --area, --gravity: the file gives them");
+    Assembly assembly = assemblyOfJson(contentOf(text), text);
     validate(assembly);
     return assembly;
 }

@@ -51,26 +51,14 @@ ExitStatus findPeriodInBars(const FindCommand& call, const Assembly& assembly)
     }
     requireOfBars(call, assembly);
     FindOutputs files(call);
-    Network network = networkOf(assembly);
-    answers::limitStrain(network, assembly, call.given.number("--strain-limit"));
-    const std::int64_t steps = answers::stepsAsked(call.given, assembly, 1);
-    const NetworkWish wish = wishOf(call, assembly, network);
-    FindOptions options = call.options;
-    call.requireTried(steps);
+    const answers::BarsAsked bars(call.given, assembly);
     const SceneQuestionAnswer answer =
-        watched(call.common, "deciding schedules", [&](const Cancel& cancel, const auto& show) {
-            options.cancel = cancel;
-            SceneQuestionAnswer decided =
-                answers::questionOf(assembly, network, steps, wish, options, show);
-            if (call.triesStability()) {
-                tryStability(decided, cancel);
-            }
-            return decided;
-        });
+        watched(call.common, "deciding schedules",
+                answers::periodAsked(call.given, bars, wavesIn(call.given)));
     if (answer.motions.empty()) {
         files.lackMotion();
     } else {
-        files.writeBars(assembly, network, *answer.motions.front().motions.motion);
+        files.writeBars(assembly, bars.network, *answer.motions.front().motions.motion);
     }
     call.common.useOneThread();
     for (const SceneFindAnswer& motion : answer.motions) {

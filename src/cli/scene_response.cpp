@@ -202,10 +202,10 @@ ExitStatus respondInBars(const Given& given, const CommonOptions& common, const 
     SceneResponse answer = answers::responseAsked(given, assembly);
     const std::vector<std::int64_t> steps = stepsOf(answer);
     Outputs outputs(given, {"--csv", "--map-csv", "--figure", "--map"});
-    watched(common, "frequencies", [&](const Cancel& cancel, const auto& show) {
+    watched(common, "frequencies", [&](const answers::Watch& watch) {
         answer.frequencies = shareOut(
-            steps, common.threads, [&](std::int64_t n) { return frequencyAt(answer, n, cancel); },
-            show);
+            steps, common.threads,
+            [&](std::int64_t n) { return frequencyAt(answer, n, watch.cancel); }, watch.show);
         answer.isComplete = answer.frequencies.size() == steps.size();
     });
     if (answer.isComplete) {

@@ -20,38 +20,16 @@ namespace {
 
 using answers::SceneSimulationAnswer;
 
-/// What a call asks for, in the units of its network.
-struct Question {
-    Assembly assembly;
-    Network network;
-    answers::SceneDrive drive = {};
-    double duration = 0.0;  ///< [h]
-};
-
 /// The force of a file, constant in each cell's time.
-void setHistory(const SimulateCommand& command, Question& question)
+answers::SceneDrive historyOf(const SimulateCommand& command, const Network& network)
 {
-    const NetworkScales& scales = question.network.scales;
-    refuseIf(!isExcitable(question.network, Excited::tip), "--force-file",
+    const NetworkScales& scales = network.scales;
+    refuseIf(!isExcitable(network, Excited::tip), "--force-file",
              command.given.text("--force-file"), "a scene with the word driven");
-    question.drive.moved.drive.forces =
+    answers::SceneDrive drive;
+    drive.moved.drive.forces =
         command.forceHistory(scales.time, scales.force(), *command.time / scales.time);
-}
-
-Question questionOf(const SimulateCommand& command)
-{
-    Question question;
-    command.common.requireOwnDamping();
-    question.assembly = command.common.assembly();
-    question.network = networkOf(question.assembly);
-    if (command.given.has("--force-file")) {
-        setHistory(command, question);
-    } else {
-        question.drive = answers::driveAsked(command.given, question.network);
-    }
-    question.duration =
-        answers::durationOf(question.network, question.drive, command.time, command.periods);
-    return question;
+    return drive;
 }
 
 NetworkStart startOf(const SimulateCommand& command, const Network& network, double base)
@@ -143,17 +121,20 @@ ExitStatus simulateScene(const SimulateCommand& command)
     if (command.forceRange) {
         return reportReach(command);
     }
-    const Question question = questionOf(command);
-    Outputs outputs(command.given, {"--events", "--statistics", "--tip", "--figure", "--state"});
-    const NetworkStart start = startOf(command, question.network, question.drive.moved.base);
-    NetworkSimulation simulation =
-        answers::simulationOf(question.network, start, question.drive,
-                              command.given.has("--tip") || command.given.has("--figure"));
-    SceneSimulationAnswer answer{.bars = answers::severalOf(question.assembly, question.network),
-                                 .drive = question.drive.told};
-    watched(command.common, "simulating", [&](const Cancel& cancel, const auto& show) {
-        answer.follow(simulation, question.drive.moved, question.duration, cancel, show);
-    });
+    const Given& given = command.given;
+    command.common.requireOwnDamping();
+    const Assembly& assembly = command.common.assembly();
+    const Network network = networkOf(assembly);
+    const answers::SceneDrive drive = given.has("--force-file")
+                                          ? historyOf(command, network)
+                                          : answers::driveAsked(given, network);
+    Outputs outputs(given, {"--events", "--statistics", "--tip", "--figure", "--state"});
+    answers::FollowedBars bars(given, assembly, network, drive,
+                               startOf(command, network, drive.moved.base),
+                               given.has("--tip") || given.has("--figure"));
+    watched(command.common, "simulating", [&](const answers::Watch& watch) { bars.follow(watch); });
+    const SceneSimulationAnswer& answer = bars.answer;
+    const NetworkSimulation& simulation = bars.simulation;
     if (answer.isComplete) {
         outputs.put("--events", writeEventsOf, simulation);
         outputs.put("--statistics", writeStatisticsOf, simulation);
@@ -166,7 +147,7 @@ ExitStatus simulateScene(const SimulateCommand& command)
     } else {
         command.common.say("interrupted; no file was written");
     }
-    report(command.common, answer, question.assembly, asText(answer));
+    report(command.common, answer, assembly, asText(answer));
     command.common.useOneThread();
     return answer.isComplete ? exitFound : exitUndecided;
 }

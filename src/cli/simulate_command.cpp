@@ -132,8 +132,7 @@ ExitStatus SimulateCommand::run() const
     answers::FollowedBar followed = started(
         std::move(asked), waves, driving,
         {time, periods, given.number("--resolve"), given.has("--tip") || given.has("--figure")});
-    watched(common, "simulating",
-            [&](const Cancel& cancel, const auto& show) { followed.follow(cancel, show); });
+    watched(common, "simulating", [&](const answers::Watch& watch) { followed.follow(watch); });
     const SimulationAnswer& answer = followed.answer;
     const BarSimulation& simulation = followed.simulation;
     if (!std::isfinite(simulation.energyRatio() * scales(bar).energy)) {

@@ -87,14 +87,14 @@ ExitStatus follow(const Given& given, const CommonOptions& common, SweepAnswer a
         common.say(fmt::format("--from {0} is {0} ω₁; {0} Hz are --from {0}Hz", from));
     }
     std::optional<Journal> journal;
-    watched(common, "values", [&](const Cancel& cancel, const auto& show) {
+    watched(common, "values", [&](const answers::Watch& watch) {
         if (given.has("--csv")) {
             journal.emplace(given.text("--csv"), questionOf(given, common, answer),
                             given.has("--resume"));
         }
         answer.points = sweepThrough(answer.range, network, answer.bar, directions,
                                      journal ? &*journal : nullptr, common.threads,
-                                     {.cancel = cancel, .show = show});
+                                     {.cancel = watch.cancel, .show = watch.show});
     });
     answer.isComplete =
         answer.points.size() == directions.size() * static_cast<std::size_t>(answer.range.points);

@@ -147,6 +147,19 @@ double Motion::strain(std::int64_t cell, std::int64_t instant) const
     return strainOf(cell, rightGoing(cell, instant), leftGoing(cell, instant));
 }
 
+State Motion::stateAt(std::int64_t instant) const
+{
+    if (instant < 0 || instant > steps_) {
+        throwFault("step", instant, fmt::format("whole numbers 0..{}", steps_));
+    }
+    State state{Eigen::VectorXd(cells_), Eigen::VectorXd(cells_)};
+    for (std::int64_t cell = 1; cell <= cells_; ++cell) {
+        state.a[cell - 1] = rightGoing(cell, instant);
+        state.b[cell - 1] = leftGoing(cell, instant);
+    }
+    return state;
+}
+
 double Motion::wallForce(std::int64_t step) const
 {
     const auto m = static_cast<std::size_t>(step);

@@ -228,6 +228,18 @@ std::vector<ModePoint> slice(const ModePolytope& polytope, double period)
     return corners;
 }
 
+ModePoint middle(const ModePolytope& polytope, double period)
+{
+    const std::vector<ModePoint> corners = slice(polytope, period);
+    ModePoint mean{period, std::vector<double>(polytope.chains.size() - 1, 0.0)};
+    for (const ModePoint& corner : corners) {
+        for (std::size_t l = 0; l < mean.arrivals.size(); ++l) {
+            mean.arrivals[l] += corner.arrivals[l] / static_cast<double>(corners.size());
+        }
+    }
+    return mean;
+}
+
 std::vector<double> stretches(const ModePolytope& polytope, const ModePoint& point)
 {
     requireArrivals(polytope, point);

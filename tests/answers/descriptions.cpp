@@ -53,8 +53,8 @@ struct Lister {
     void key(const char* word, const char* unit, const char* sentence, Get,
              When when = When::always)
     {
-        constexpr std::array names{"always",    "found",   "none",  "any",
-                                   "undecided", "program", "python"};
+        constexpr std::array names{"always",    "found",   "none",   "any",
+                                   "undecided", "program", "python", "attribute"};
         using Value = std::remove_cvref_t<std::invoke_result_t<Get, const T&>>;
         Json type = typeOf<Value>();
         if (mayBeLeftOut(when) && type.contains("optional")) {
