@@ -50,6 +50,11 @@ Eigen::MatrixXd SquareFactors::solve(const Eigen::MatrixXd& b) const
     return columnsSolved(inside_->factors, b.rows(), b);
 }
 
+Eigen::MatrixXd SquareFactors::solveTransposed(const Eigen::MatrixXd& b) const
+{
+    return inside_->factors.transpose().solve(b);
+}
+
 double SquareFactors::rcond() const
 {
     return inside_->factors.rcond();

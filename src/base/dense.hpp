@@ -32,6 +32,8 @@ public:
     explicit SquareFactors(const Eigen::MatrixXd& a);
     /// A^-1 b; not finite where A is singular.
     [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;
+    /// A^-T b.
+    [[nodiscard]] Eigen::MatrixXd solveTransposed(const Eigen::MatrixXd& b) const;
     /// Of 1/(|A| |A^-1|), an estimate.
     [[nodiscard]] double rcond() const;
     /// The least |U_kk|.

@@ -237,7 +237,7 @@ EnergyFloor DrivenRows::floor(std::span<const std::size_t> rows,
         all[static_cast<Eigen::Index>(order_[rows[k]])] += multipliers[k];
     }
     EnergyFloor floor = conditionsOf(blocks_, *kernel_, rows_, all);
-    completeFloor(floor, network(), schedule());
+    completeFloor(floor, blocks_, *kernel_);
     if (freeWaves() > 0) {
         Eigen::Vector3d sum = Eigen::Vector3d::Zero();
         for (std::size_t k = 0; k < rows.size(); ++k) {

@@ -211,22 +211,58 @@ private:
         return {blocks_, type, laws_, kernel_, start, kept};
     }
 
+    /// 1 - W in the norm of the energy, of all types that close the same contacts turn by turn.
+    struct Period {
+        std::vector<ContactSet> closed;
+        Matrix basis;                            ///< of the kernel
+        std::optional<Factors<Number>> factors;  ///< of 1 - W, regular on the kernel, too
+        bool isWhole = false;                    ///< nothing repeats undriven
+    };
+
+    [[nodiscard]] std::vector<ContactSet> closedIn(std::size_t type) const
+    {
+        std::vector<ContactSet> closed;
+        closed.reserve(static_cast<std::size_t>(blocks_.turns()));
+        for (std::int64_t turn = 0; turn < blocks_.turns(); ++turn) {
+            closed.push_back(blocks_.closed(type, turn));
+        }
+        return closed;
+    }
+
+    void factor(std::size_t type)
+    {
+        const Eigen::Index size = blocks_.stateSize();
+        const bool isDriven = kernel_.inputs() > 0;
+        Matrix start = Matrix::Zero(size, size + kernel_.inputs());
+        start.leftCols(size).setIdentity();
+        Matrix rest = propagated(type, start, Kept::end).end().leftCols(size);
+        rest = -(scale_.asDiagonal() * rest) * scale_.cwiseInverse().asDiagonal();
+        rest.diagonal().array() += Number(1);
+        if (isDamped_ || isDriven) {
+            period_.factors.emplace(rest);
+        }
+        period_.isWhole = period_.factors && isRegular<Number>(*period_.factors, size, clearPivot);
+        period_.basis = period_.isWhole ? Matrix(size, 0) : basisOf(type, rest, start);
+        if (isDriven && !period_.isWhole) {
+            period_.factors.emplace(rest +
+                                    product<Number>(period_.basis, period_.basis.transpose()));
+        }
+        if (isDriven) {
+            kernel_.isClear =
+                kernel_.isClear && isRegular<Number>(*period_.factors, size, leastPivot);
+        }
+    }
+
     /// False if there is too much of it.
     bool add(std::size_t type)
     {
+        if (std::vector<ContactSet> closed = closedIn(type); closed != period_.closed) {
+            period_ = {std::move(closed), {}, {}, false};
+            factor(type);
+        }
         const Eigen::Index size = blocks_.stateSize();
         const Eigen::Index inputs = kernel_.inputs();
-        Matrix start = Matrix::Zero(size, size + inputs);
-        start.leftCols(size).setIdentity();
-        const Matrix carried = scale_.asDiagonal() * propagated(type, start, Kept::end).end();
-        Matrix rest = -carried.leftCols(size) * scale_.cwiseInverse().asDiagonal();
-        rest.diagonal().array() += Number(1);  // 1 - W in the norm of the energy
-        std::optional<Factors<Number>> factors;
-        if (isDamped_ || inputs > 0) {
-            factors.emplace(rest);
-        }
-        const bool isWhole = factors && isRegular<Number>(*factors, size, clearPivot);
-        const Matrix basis = isWhole ? Matrix(size, 0) : basisOf(type, rest, start);
+        const Matrix& basis = period_.basis;
         const auto channels = static_cast<std::int64_t>(blocks_.network().channels());
         kept_ += (channels * blocks_.turns() + size) * (basis.cols() + inputs);
         if (kept_ > mostValues) {
@@ -237,14 +273,16 @@ private:
         Matrix states(size, basis.cols() + inputs);
         states.leftCols(basis.cols()) = basis / width;
         if (inputs > 0) {
-            const Matrix made = carried.rightCols(inputs);
+            const Matrix made =
+                scale_.asDiagonal() * propagated(type, Matrix::Zero(size, inputs), Kept::end).end();
             const Matrix work = product<Number>(basis.transpose(), made);
-            if (!isWhole) {
-                factors.emplace(rest + product<Number>(basis, basis.transpose()));
-            }
-            kernel_.isClear = kernel_.isClear && isRegular<Number>(*factors, size, leastPivot);
-            states.rightCols(inputs) = factors->solve(made - product<Number>(basis, work));
+            states.rightCols(inputs) = period_.factors->solve(made - product<Number>(basis, work));
             kernel_.work.push_back(width * work);
+        }
+        if constexpr (!isFine<Number>) {
+            if (period_.isWhole) {
+                kernel_.factors.push_back(*period_.factors);
+            }
         }
         keep(type, basis.cols(), scale_.cwiseInverse().asDiagonal() * states);
         return true;
@@ -289,6 +327,7 @@ private:
     NetworkLaws<Number> laws_;
     VectorOf<Number> scale_;
     bool isDamped_;
+    Period period_;  ///< of the last type
     std::int64_t kept_ = 0;
     NetworkKernel<Number> kernel_;
 };
@@ -305,46 +344,9 @@ std::optional<NetworkKernel<Number>> kernelOf(const NetworkBlocks& blocks, doubl
     return KernelFinder<Number>(blocks, zero, shapes).run();
 }
 
-template <typename Number>
-std::vector<double> wavesAt(const NetworkBlocks& blocks, const NetworkKernel<Number>& kernel,
-                            const VectorOf<Number>& z, const VectorOf<Number>& inputs)
-{
-    std::vector<VectorOf<Number>> arriving;
-    for (std::size_t type = 0; type < kernel.waves.size(); ++type) {
-        const auto& waves = kernel.waves[type];
-        const VectorOf<Number> own = z.segment(kernel.firsts[type], waves.cols());
-        arriving.push_back(product<Number>(waves, own) +
-                           product<Number>(kernel.driven[type], inputs));
-    }
-    const auto at = [&](std::size_t channel, std::int64_t step) {
-        const auto [type, turn] = blocks.placeOf(blocks.network().nodeOf(channel), step);
-        return static_cast<double>(
-            arriving[type][static_cast<Eigen::Index>(channel) * blocks.turns() + turn]);
-    };
-    std::vector<double> all;
-    all.reserve(blocks.network().waves());
-    const std::vector<CellRow>& rows = blocks.network().rows;
-    for (std::size_t row = 0; row < rows.size(); ++row) {
-        for (std::int64_t cell = rows[row].cells; cell-- > 0;) {
-            all.push_back(at(2 * row, cell));
-        }
-        for (std::int64_t cell = 0; cell < rows[row].cells; ++cell) {
-            all.push_back(at(2 * row + 1, cell));
-        }
-    }
-    for (std::size_t channel = 2 * rows.size(); channel < blocks.network().channels(); ++channel) {
-        all.push_back(at(channel, 0));
-    }
-    return all;
-}
-
 template std::optional<NetworkKernel<double>> kernelOf(const NetworkBlocks&, double,
                                                        const std::vector<StepDrive>&);
-template std::vector<double> wavesAt(const NetworkBlocks&, const NetworkKernel<double>&,
-                                     const VectorOf<double>&, const VectorOf<double>&);
 template std::optional<NetworkKernel<FineNumber>> kernelOf(const NetworkBlocks&, double,
                                                            const std::vector<StepDrive>&);
-template std::vector<double> wavesAt(const NetworkBlocks&, const NetworkKernel<FineNumber>&,
-                                     const VectorOf<FineNumber>&, const VectorOf<FineNumber>&);
 
 }  // namespace signorini

@@ -45,10 +45,18 @@ struct NetworkKernel {
     /// No pivot lies between `noPivot` and `clearPivot`: rounding does not hide the dimension.
     bool isClear = true;
 
+    /// Of 1 - W of each type, where nothing repeats undriven; not of fine numbers.
+    std::vector<SquareFactors> factors = {};
+
     std::vector<StepDrive> shapes = {};  ///< the inputs,
     bool hasForces = false;              ///< and one more, constant forces
 
     [[nodiscard]] Eigen::Index coordinates() const { return firsts.back(); }
+    /// Is 1 - W factored, whole?
+    [[nodiscard]] bool isWhole() const
+    {
+        return !factors.empty() && factors.size() == waves.size();
+    }
     [[nodiscard]] Eigen::Index inputs() const
     {
         return static_cast<Eigen::Index>(shapes.size()) + (hasForces ? 1 : 0);
@@ -57,7 +65,7 @@ struct NetworkKernel {
 
 /// Pivots up to `zero` are taken for 0. `shapes`: as long as the schedule; residues are then
 /// blocks of their own. Empty if the state is too large, or the waves do not fit in 320 MB.
-/// O(turns channels state + state^3) for each type.
+/// O(turns channels state) for each type, and state^3 where contacts close in other turns.
 template <typename Number>
 [[nodiscard]] std::optional<NetworkKernel<Number>> kernelOf(
     const NetworkBlocks& blocks, double zero = noPivot, const std::vector<StepDrive>& shapes = {});
@@ -68,6 +76,13 @@ template <typename Number>
                                           const NetworkKernel<Number>& kernel,
                                           const VectorOf<Number>& z,
                                           const VectorOf<Number>& inputs);
+
+/// y = given + W^T y, both in the order of `Network::waves`: what derivatives by the waves at the
+/// start of the schedule come to, if the period goes on for ever. O(n channels + state^2 blocks).
+/// \pre blocks of single residues, a kernel that `isWhole`, no row longer than the schedule.
+[[nodiscard]] Eigen::VectorXd periodicBackwards(const NetworkBlocks& blocks,
+                                                const NetworkKernel<double>& kernel,
+                                                const Eigen::VectorXd& given);
 
 /// With constant forces, if there are any, alone.
 template <typename Number>

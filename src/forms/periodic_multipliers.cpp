@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -15,8 +16,37 @@ namespace signorini {
 namespace {
 
 constexpr double noLength = 1e-14;          // of a vector of length 1
+constexpr double solved = 1e-12;            // what is missing, of what was
 constexpr std::int64_t mostKept = 1 << 24;  // numbers, of vectors that are kept orthogonal
 constexpr int partBits = 46;                // of the largest multiplier
+
+/// Of a wave that arrives.
+struct Arrival {
+    std::size_t channel;
+    std::int64_t step;
+    double value;
+};
+
+/// What is to be done in certain steps, the last ones first.
+template <typename Entry>
+class Falling {
+public:
+    explicit Falling(std::vector<Entry> entries) : entries_(std::move(entries))
+    {
+        std::stable_sort(entries_.begin(), entries_.end(),
+                         [](const Entry& x, const Entry& y) { return x.step > y.step; });
+    }
+    void forEachAt(std::int64_t step, const auto& visit)
+    {
+        for (; next_ < entries_.size() && entries_[next_].step == step; ++next_) {
+            visit(entries_[next_]);
+        }
+    }
+
+private:
+    std::vector<Entry> entries_;
+    std::size_t next_ = 0;
+};
 
 /// W - 1 and its transpose, in the norm of the energy.
 class PeriodOperator {
@@ -58,19 +88,15 @@ public:
     [[nodiscard]] Eigen::VectorXd marched(const Eigen::VectorXd& y, std::vector<double> drifts,
                                           const EnergyFloor& floor) const
     {
-        std::map<std::int64_t, std::vector<ContactMultiplier>> places;
-        std::map<std::int64_t, std::vector<ContactMultiplier>> pushes;
-        for (const ContactMultiplier& m : floor.places) {
-            places[m.step].push_back(m);
-        }
-        for (const ContactMultiplier& m : floor.pushes) {
-            pushes[m.step].push_back(m);
-        }
-        std::map<std::int64_t, std::vector<std::pair<std::size_t, double>>> arrivals;
+        Falling<ContactMultiplier> places(floor.places);
+        Falling<ContactMultiplier> pushes(floor.pushes);
+        std::vector<Arrival> made;
+        made.reserve(2 * floor.strains.size());
         for (const StrainMultiplier& m : floor.strains) {
-            arrivals[m.right].emplace_back(2 * m.row, -m.value);
-            arrivals[m.left].emplace_back(2 * m.row + 1, m.value);
+            made.push_back({2 * m.row, m.right, -m.value});
+            made.push_back({2 * m.row + 1, m.left, m.value});
         }
+        Falling<Arrival> arrivals(std::move(made));
         const Eigen::VectorXd end = y.cwiseProduct(scale_);
         NetworkWaves<double> waves = wavesOf(end);
         std::int64_t step = steps_;
@@ -82,18 +108,17 @@ public:
                 for (std::size_t k = 0; k < bars_.size(); ++k) {
                     add(waves, velocityOf(*law, k), drifts[k]);
                 }
-                for (const ContactMultiplier& push : pushes[step]) {
+                pushes.forEachAt(step, [&](const ContactMultiplier& push) {
                     add(waves, law->push(push.contact).terms, push.value);
-                }
-                for (const auto& [channel, factor] : arrivals[step]) {
-                    waves.add(channel, factor);
-                }
-                for (const ContactMultiplier& place : places[step]) {
+                });
+                arrivals.forEachAt(
+                    step, [&](const Arrival& wave) { waves.add(wave.channel, wave.value); });
+                places.forEachAt(step, [&](const ContactMultiplier& place) {
                     addPlace(waves, place);
                     for (const auto& [bar, sign] : driftsOf(network_, place.contact)) {
                         drifts[bar] += sign * place.value;
                     }
-                }
+                });
             }
         }
         return (vectorOf(waves) - end).cwiseQuotient(scale_);
@@ -288,11 +313,10 @@ void balance(std::vector<ContactMultiplier>& places, const Network& network)
     balance(forestOf(edges, bars), sums, part);
 }
 
-}  // namespace
-
-void completeFloor(EnergyFloor& floor, const Network& network,
-                   std::span<const ContactSpan> schedule, const Cancel& cancel,
-                   std::span<const double> wanted)
+/// `solve`: what makes a vector of A, if that is known.
+void complete(EnergyFloor& floor, const Network& network, std::span<const ContactSpan> schedule,
+              const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& solve,
+              const Cancel& cancel, std::span<const double> wanted)
 {
     const PeriodOperator period(network, schedule);
     balance(floor.places, network);
@@ -302,13 +326,50 @@ void completeFloor(EnergyFloor& floor, const Network& network,
     const std::vector<double> ways(floor.periodicity.begin() + waves, floor.periodicity.end());
     Eigen::VectorXd y =
         Eigen::Map<const Eigen::VectorXd>(floor.periodicity.data(), waves).cwiseQuotient(scale);
-    Eigen::VectorXd missing = -period.marched(y, ways, floor);
-    if (!wanted.empty()) {
-        missing += Eigen::Map<const Eigen::VectorXd>(wanted.data(), waves).cwiseProduct(scale);
+    const auto missed = [&] {
+        Eigen::VectorXd missing = -period.marched(y, ways, floor);
+        if (!wanted.empty()) {
+            missing += Eigen::Map<const Eigen::VectorXd>(wanted.data(), waves).cwiseProduct(scale);
+        }
+        return missing;
+    };
+    Eigen::VectorXd missing = missed();
+    const double size = missing.norm();
+    for (int twice = 0; twice < 2 && solve; ++twice) {
+        y -= solve(missing.cwiseProduct(scale)).cwiseQuotient(scale);
+        missing = missed();
     }
-    y += leastSquares(period, std::move(missing), cancel);
+    if (!solve || missing.norm() > solved * size) {
+        y += leastSquares(period, std::move(missing), cancel);
+    }
     y = y.cwiseProduct(scale).eval();
     std::copy(y.begin(), y.end(), floor.periodicity.begin());
+}
+
+}  // namespace
+
+void completeFloor(EnergyFloor& floor, const Network& network,
+                   std::span<const ContactSpan> schedule, const Cancel& cancel,
+                   std::span<const double> wanted)
+{
+    complete(floor, network, schedule, {}, cancel, wanted);
+}
+
+void completeFloor(EnergyFloor& floor, const NetworkBlocks& blocks,
+                   const NetworkKernel<double>& kernel)
+{
+    const std::int64_t steps = stepsOf(blocks.schedule());
+    const std::vector<CellRow>& rows = blocks.network().rows;
+    const bool isKnown =
+        kernel.isWhole() && std::all_of(rows.begin(), rows.end(),
+                                        [&](const CellRow& row) { return row.cells <= steps; });
+    std::function<Eigen::VectorXd(const Eigen::VectorXd&)> solve;
+    if (isKnown) {
+        solve = [&](const Eigen::VectorXd& given) {
+            return periodicBackwards(blocks, kernel, given);
+        };
+    }
+    complete(floor, blocks.network(), blocks.schedule(), solve, {}, {});
 }
 
 }  // namespace signorini

@@ -9,7 +9,7 @@
 
 #include <span>
 
-#include "contact_spans.hpp"
+#include "network_kernel.hpp"
 #include "signorini/certificate.hpp"
 #include "signorini/control.hpp"
 
@@ -22,5 +22,10 @@ namespace signorini {
 void completeFloor(EnergyFloor& floor, const Network& network,
                    std::span<const ContactSpan> schedule, const Cancel& cancel = {},
                    std::span<const double> wanted = {});
+
+/// Where 1 - W is factored (`isWhole`): y = f + W^T y by blocks, and once more for what was
+/// rounded. O(n (channels + state)).
+void completeFloor(EnergyFloor& floor, const NetworkBlocks& blocks,
+                   const NetworkKernel<double>& kernel);
 
 }  // namespace signorini

@@ -121,7 +121,11 @@ public:
     [[nodiscard]] const Network& network() const { return network_; }
     [[nodiscard]] double time() const { return base_ + now_; }
     [[nodiscard]] std::int64_t events() const { return events_; }
-    [[nodiscard]] double displacement(std::size_t node) const;
+    [[nodiscard]] double displacement(std::size_t node) const
+    {
+        const Node& at = nodes_[node];
+        return at.displacement + at.velocity * (now_ - at.since);
+    }
     [[nodiscard]] double velocity(std::size_t node) const { return nodes_[node].velocity; }
     [[nodiscard]] ContactSet closed() const { return closed_; }
     /// The force of a contact just now, 0 while it is open [Z_1 delta/h].
@@ -157,44 +161,55 @@ private:
         double time;
         double value;
     };
-    /// Fronts under way, in the order of arrival, in a ring.
+    /// Fronts under way, in the order of arrival, in a ring. Places count on for ever.
     struct Channel {
         std::vector<Front> ring = std::vector<Front>(16);  ///< a power of two
-        std::size_t head = 0;
-        std::size_t count = 0;
+        std::size_t mask = 15;                             ///< one less
+        std::size_t begin = 0;
+        std::size_t end = 0;
         double now = 0.0;  ///< what arrives
         double delay = 1.0;
         double impedance = 1.0;
         std::size_t node = 0;
         double sign = 1.0;
 
-        [[nodiscard]] Front& at(std::size_t k) { return ring[(head + k) & (ring.size() - 1)]; }
-        [[nodiscard]] const Front& at(std::size_t k) const
+        [[nodiscard]] std::size_t count() const { return end - begin; }
+        /// The k-th last one, from 1.
+        [[nodiscard]] Front& last(std::size_t k) { return ring[(end - k) & mask]; }
+        /// What comes after all of them.
+        [[nodiscard]] double value() const
         {
-            return ring[(head + k) & (ring.size() - 1)];
+            return end != begin ? ring[(end - 1) & mask].value : now;
         }
-        [[nodiscard]] double last() const { return count > 0 ? at(count - 1).value : now; }
         /// When its first front arrives; infinite where none is on its way.
         [[nodiscard]] double due() const
         {
-            if (count == 0) {
+            if (begin == end) {
                 return infinity;
             }
-            return at(0).time;
+            return ring[begin & mask].time;
         }
-        void push(const Front& front);
-        void pop();
+        void push(const Front& front)
+        {
+            if (count() > mask) {
+                widen();
+            }
+            ring[end++ & mask] = front;
+        }
+        void pop() { now = ring[begin++ & mask].value; }
+        void widen();
         /// visit(duration, value), in the order of arrival.
         void forEachPiece(double time, auto visit) const
         {
-            double begin = time;
+            double since = time;
             double value = now;
-            for (std::size_t k = 0; k < count; ++k) {
-                visit(at(k).time - begin, value);
-                begin = at(k).time;
-                value = at(k).value;
+            for (std::size_t k = begin; k != end; ++k) {
+                const Front& front = ring[k & mask];
+                visit(front.time - since, value);
+                since = front.time;
+                value = front.value;
             }
-            visit(time + delay - begin, value);
+            visit(time + delay - since, value);
         }
     };
     struct Node {
@@ -207,7 +222,8 @@ private:
         bool isActed = false;   ///< are these three ever other than 0?
         std::vector<std::size_t> channels;
         std::vector<std::size_t> contacts;  ///< with its neighbours, too
-        std::size_t path = 0;               ///< + 1; 0: none
+        ContactSet touching = 0;            ///< the same
+        bool hasPath = false;               ///< is kept
     };
     struct Touch {
         double push = 0.0;
@@ -229,21 +245,23 @@ private:
                const std::vector<double>& displacements);
     void setScale(const std::vector<std::vector<Piece>>& pieces);
     void advanceTo(double end);
-    void takeEvent(std::size_t which);
+    inline void takeEvent(std::size_t which);
+    [[nodiscard]] double& clock() { return due_[channels_.size() + touches_.size()]; }
     void takeClock();
     void settle(Range range);
     void include(std::size_t node, Range& range);
-    void touchNode(std::size_t number);
-    void commit(const Range& range);
-    void sendFrom(const Law::Scatterer& cluster);
-    void setPowers(std::size_t number);
+    inline void touchNode(std::size_t number);
+    [[nodiscard]] inline bool isUntouched(std::size_t number) const;
+    inline void commit(const Range& range);
+    inline void sendFrom(const Law::Scatterer& cluster);
+    inline void setPowers(std::size_t number);
     bool opensOne(const Range& range);
     bool closesOne(Range& range);
     void open(std::size_t contact);
     void close(std::size_t contact, double speed);
     void setPush(std::size_t contact, double push);
-    void predict(std::size_t contact);
-    void send(std::size_t number, double value);
+    inline void predict(std::size_t contact);
+    inline void send(std::size_t number, double value);
     bool joins(Channel& channel, const Front& next);
     void rebase();
     void recordPath(std::size_t node);
@@ -252,6 +270,7 @@ private:
     [[nodiscard]] double closingSpeed(std::size_t contact) const;
     [[nodiscard]] double distance(std::size_t contact) const;
     [[nodiscard]] double momentum() const;
+    [[nodiscard]] inline std::size_t earliest() const;
 
     Network network_;
     NetworkDrive drive_;
@@ -260,7 +279,8 @@ private:
     std::vector<Node> nodes_;
     std::vector<Touch> touches_;
     std::vector<double> arriving_;  ///< by channel
-    std::vector<double> due_;       ///< by channel, then by contact, then the clock of the drive
+    /// By channel, then by contact, then the clock of the drive, then never.
+    std::vector<double> due_;
     std::vector<std::unique_ptr<Law>> laws_;
     const Law* law_ = nullptr;
     ContactSet closed_ = 0;
@@ -271,6 +291,7 @@ private:
     double base_ = 0.0;                           ///< whole; times are counted from it
     static constexpr double longestBase = 256.0;  ///< [h, for each cell], then times count anew
     static constexpr std::size_t none = ~std::size_t{0};
+    static constexpr std::size_t lanes = 4;  ///< of times that are compared side by side
     std::size_t meeting_ = none;  ///< the contact whose distance has come to its end just now
     std::vector<double> close_;   ///< by contact: distances below it are rounding
     double same_;                 ///< instants that differ by less are one

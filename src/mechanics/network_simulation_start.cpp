@@ -140,7 +140,7 @@ NetworkSimulation::NetworkSimulation(const Network& network, const NetworkStart&
       nodes_(network.nodes.size()),
       touches_(network.contacts.size()),
       arriving_(network.channels(), 0.0),
-      due_(network.channels() + network.contacts.size() + 1, infinity),
+      due_((network.channels() + network.contacts.size() + lanes) / lanes * lanes, infinity),
       paths_(network.nodes.size())
 {
     validate(network);
@@ -201,7 +201,7 @@ void NetworkSimulation::place(const std::vector<std::vector<Piece>>& pieces,
         channel.now = pieces[k].front().value;
         double begin = 0.0;
         for (const Piece& piece : pieces[k]) {
-            if (piece.value != channel.last()) {
+            if (piece.value != channel.value()) {
                 channel.push({begin, piece.value});
             }
             begin += piece.duration;
@@ -220,7 +220,8 @@ void NetworkSimulation::place(const std::vector<std::vector<Piece>>& pieces,
     for (std::size_t j = 0; j < touches_.size(); ++j) {
         forEachSide(network_.contacts[j], [&](std::size_t node, int) {
             nodes_[node].contacts.push_back(j);
-            nodes_[node].path = options_.recordsPaths ? 1 : 0;
+            nodes_[node].touching |= ContactSet{1} << j;
+            nodes_[node].hasPath = options_.recordsPaths;
         });
     }
     for (std::size_t j = 0; j < touches_.size(); ++j) {

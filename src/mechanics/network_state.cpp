@@ -115,7 +115,7 @@ std::size_t NetworkSimulation::fronts() const
 {
     std::size_t sum = 0;
     for (const Channel& channel : channels_) {
-        sum += channel.count;
+        sum += channel.count();
     }
     return sum;
 }

@@ -9,6 +9,7 @@
 #include "network_route.hpp"
 #include "periodic_multipliers.hpp"
 #include "rational.hpp"
+#include "sanitized.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/one_phase_set.hpp"
 #include "support.hpp"
@@ -267,6 +268,42 @@ TEST_CASE("energy floor: multipliers of periodicity make the gap row the least e
         ++proved;
     });
     CHECK(proved > 100);
+}
+
+TEST_CASE("energy floor: derivatives of a period that goes on for ever are those of a march")
+{
+    NetworkGenerator draw(43);
+    const int samples = test::drawn(400);
+    int whole = 0;
+    for (int sample = 0; sample < samples; ++sample) {
+        const Drawn drawn = randomFloor(draw);
+        const NetworkBlocks blocks(drawn.network, drawn.schedule, false);
+        const auto kernel = kernelOf<double>(blocks);
+        const auto& rows = drawn.network.rows;
+        if (!kernel || !kernel->isWhole() ||
+            std::any_of(rows.begin(), rows.end(),
+                        [&](const CellRow& row) { return row.cells > stepsOf(drawn); })) {
+            continue;
+        }
+        const Eigen::VectorXd given = Eigen::Map<const Eigen::VectorXd>(
+            drawn.floor.periodicity.data(), static_cast<Eigen::Index>(drawn.network.waves()));
+        const Eigen::VectorXd made = periodicBackwards(blocks, *kernel, given);
+        NetworkWaves<double> waves(drawn.network, {made.begin(), made.end()});
+        for (auto span = drawn.schedule.rbegin(); span != drawn.schedule.rend(); ++span) {
+            const NetworkLaw<double> law(drawn.network, span->closed);
+            for (std::int64_t left = span->steps; left > 0; --left) {
+                waves.stepBack(law);
+            }
+        }
+        const std::vector<double> again = waves.waves();
+        INFO("network " << sample);
+        for (std::size_t k = 0; k < again.size(); ++k) {
+            const auto at = static_cast<Eigen::Index>(k);
+            CHECK(made[at] == Approx(given[at] + again[k]).margin(1e-12 * made.norm()));
+        }
+        ++whole;
+    }
+    CHECK(10 * whole > samples);
 }
 
 TEST_CASE(
