@@ -17,7 +17,10 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int watchedPeriods = 401;  // in which waves between fronts fade
+constexpr int watchedPeriods = 401;   // in which waves between fronts fade
+constexpr double sameInstant = 1e-9;  // steps
+constexpr double noFront = 1e-9;      // of what all fronts at a release change
+constexpr std::size_t isOpen = ~std::size_t{0};
 
 /// Waves that last so short, and how far they have moved the first nodes of bars that drift.
 struct Front {
@@ -25,93 +28,237 @@ struct Front {
     std::vector<double> drifts;
 };
 
+/// What a front meets in a step.
+struct Passing {
+    ContactSet closed = 0;
+    ContactSet beginning = 0;     ///< just then
+    std::size_t ending = isOpen;  ///< the contact of the motion that a front ends just then
+};
+
+/// The waves of a lane at one time.
+struct Moment {
+    NetworkWaves<SteadyHarmonic> waves;
+    Complex turn;  ///< e^{i omega s}
+    SteadyHarmonic force;
+    SteadyHarmonic base;
+    ContactSet closed = 0;  ///< in this step of the lane
+};
+
 class NetworkFronts {
 public:
     NetworkFronts(const HarmonicNetwork& given, const NetworkHarmonicMotion& motion)
         : given_(given),
           motion_(motion),
+          contacts_(motion.contacts),
           unforced_(withoutForces(given.network)),
-          contact_(given.network.contacts[motion.first().contact]),
           bars_(driftingBars(given.network)),
-          open_(unforced_, 0),
-          closed_(unforced_, ContactSet{1} << motion.first().contact),
-          held_(static_cast<std::int64_t>(std::floor(motion.first().end)))
+          laws_(unforced_),
+          forced_(given.network)
     {
-        const Complex drive = given.amplitude * turned(-motion.phase);
-        startFront(drive);
-        if (motion.first().isPinned) {
-            findPushes(drive);
+        NetworkLaws<SteadyHarmonic> driven(given.network);
+        for (const NetworkHarmonicContact& one : contacts_) {
+            std::vector<Passing>& met = met_.emplace_back();
+            met.reserve(static_cast<std::size_t>(given.steps));
+            for (std::int64_t i = 0; i < given.steps; ++i) {
+                met.push_back(passingAt(one.begin + static_cast<double>(i)));
+            }
+            starts_.push_back(frontOf(one, met.front(), driven));
+            pushes_.push_back(one.isPinned ? pushesAt(one, driven) : std::pair(1.0, -1.0));
+            units_.push_back(distanceBy(starts_.back(), one));
         }
     }
 
-    [[nodiscard]] OrderedGrowth growth(const FrontOrders& orders) const
+    /// Do events that are simultaneous know nothing of each other?
+    [[nodiscard]] bool areApart() const { return areApart_; }
+
+    [[nodiscard]] OrderedGrowth growth(const FrontOrders& orders)
     {
-        bool isMet = false;
-        std::vector<double> weights{1.0};
-        Front front{{unforced_, front_}, drifts_};
-        bool isNewest = motion_.first().isPinned;
-        const double whole = sizeOf(front_);
-        const double unit = distanceBy(front);
-        double last = 1.0;
-        while (sizeOf(front.waves.waves()) > faded * whole) {
-            if (weights.size() == mostTerms) {
+        const std::size_t count = contacts_.size();
+        Course course{orders, starts_, std::vector(count, false), std::vector(count, false),
+                      std::vector(count * count, 0.0)};
+        for (std::int64_t travel = 0;; ++travel) {
+            for (std::size_t j = 0; j < count && travel > 0; ++j) {
+                if (!course.hasFaded[j]) {
+                    pass(j, met_[j][static_cast<std::size_t>(travel % given_.steps)], course);
+                }
+            }
+            enter(travel, course);
+            if (travel % given_.steps != 0) {
+                continue;
+            }
+            for (std::size_t j = 0; j < count; ++j) {
+                course.hasFaded[j] = sizeOf(course.fronts[j]) <= faded * sizeOf(starts_[j]);
+            }
+            const std::size_t terms = course.weights.size() / (count * count);
+            if (std::find(course.hasFaded.begin(), course.hasFaded.end(), false) ==
+                course.hasFaded.end()) {
+                return {growthOfLate(course.weights, terms, count), course.isMet};
+            }
+            if (terms >= mostTerms) {
                 return {std::nullopt};
             }
-            aPeriodLater(front, orders, isNewest, isMet);
-            const double weight = distanceBy(front) / unit;
-            // What stays of a bar's place does so in all later periods: their differences count.
-            weights.push_back(bars_.empty() ? weight : weight - last);
-            last = weight;
         }
-        return {growthOfLate(weights, weights.size(), 1), isMet};
     }
 
     /// Of waves that meet no event.
-    [[nodiscard]] double fading() const
+    [[nodiscard]] double fading()
     {
-        double most = fadingOf(held_);
-        if (!motion_.first().isPinned) {
-            most = std::max(most, fadingOf(held_ + 1));
+        double most = 0.0;
+        for (const HarmonicLane& lane : motion_.lanes) {
+            most = std::max(most, fadingOf(lane));
         }
         return most;
     }
 
 private:
-    static double sizeOf(const std::vector<double>& waves) { return largestSizeOf(waves); }
+    /// Fronts of all beginnings, so many steps later.
+    struct Course {
+        FrontOrders orders;
+        std::vector<Front> fronts;
+        std::vector<bool> hasFaded;
+        std::vector<bool> isPinned;  ///< has the newest front that ends this contact come?
+        std::vector<double> before;  ///< distances a period ago, by j and k
+        std::vector<double> weights = {};
+        bool isMet = false;  ///< has a front come just as a contact begins?
+    };
 
-    /// The distance of the contact with waves that nothing else moves.
-    [[nodiscard]] double distanceBy(const Front& front) const
+    static double sizeOf(const Front& front) { return largestSizeOf(front.waves.waves()); }
+
+    [[nodiscard]] static bool isSame(double time, double other, double period)
+    {
+        return std::abs(std::remainder(time - other, period)) < sameInstant;
+    }
+
+    [[nodiscard]] bool isClosed(const NetworkHarmonicContact& one, double time) const
+    {
+        const auto period = static_cast<double>(given_.steps);
+        const double since = time - one.begin;
+        return since - period * std::floor(since / period) < one.end - one.begin;
+    }
+
+    /// What is closed, begins and is ended by a front.
+    [[nodiscard]] Passing passingAt(double time)
+    {
+        const auto period = static_cast<double>(given_.steps);
+        Passing passing;
+        for (std::size_t k = 0; k < contacts_.size(); ++k) {
+            const NetworkHarmonicContact& one = contacts_[k];
+            const ContactSet bit = ContactSet{1} << one.contact;
+            if (isSame(time, one.begin, period)) {
+                passing.beginning |= bit;
+            } else if (one.isPinned && isSame(time, one.end, period)) {
+                areApart_ = areApart_ && passing.ending == isOpen;
+                passing.ending = k;
+            } else if (isClosed(one, time)) {
+                passing.closed |= bit;
+            }
+        }
+        return passing;
+    }
+
+    [[nodiscard]] ContactSet closedIn(const HarmonicLane& lane, std::int64_t step) const
+    {
+        const double time = static_cast<double>(step) + 0.5 * (lane.from + lane.to);
+        ContactSet closed = 0;
+        for (const NetworkHarmonicContact& one : contacts_) {
+            closed |= isClosed(one, time) ? ContactSet{1} << one.contact : 0;
+        }
+        return closed;
+    }
+
+    [[nodiscard]] Moment momentOf(std::size_t lane, std::int64_t step, double place,
+                                  NetworkLaws<SteadyHarmonic>& laws) const
+    {
+        const HarmonicLane& one = motion_.lanes[lane];
+        Moment now{{given_.network, one.waves}, turned(given_.omega() * place), {}, {}};
+        for (std::int64_t m = 0;; ++m) {
+            const HarmonicNetwork::Drive drive =
+                given_.drive(given_.amplitude * turned(-motion_.phase) * given_.turn(m));
+            now.force.swing = drive.force;
+            now.base.swing = drive.base;
+            now.closed = closedIn(one, m);
+            if (m == step) {
+                return now;
+            }
+            now.waves.step(laws.of(now.closed), now.force, now.base);
+        }
+    }
+
+    /// Before and after a time at which lanes meet.
+    [[nodiscard]] std::pair<Moment, Moment> momentsAt(double time,
+                                                      NetworkLaws<SteadyHarmonic>& laws) const
+    {
+        const double whole = std::floor(time + sameInstant);
+        const double place = std::max(0.0, time - whole);
+        const auto& lanes = motion_.lanes;
+        const auto nearest =
+            std::min_element(lanes.begin(), lanes.end(), [&](const auto& x, const auto& y) {
+                return std::abs(x.from - place) < std::abs(y.from - place);
+            });
+        const auto lane = static_cast<std::size_t>(nearest - lanes.begin());
+        const std::int64_t step = static_cast<std::int64_t>(whole) + given_.steps;
+        return {lane == 0 ? momentOf(lanes.size() - 1, step - 1, 1.0, laws)
+                          : momentOf(lane - 1, step, place, laws),
+                momentOf(lane, step, place, laws)};
+    }
+
+    /// What is sent while a contact lacks beyond what is sent once it has begun.
+    [[nodiscard]] Front frontOf(const NetworkHarmonicContact& one, const Passing& met,
+                                NetworkLaws<SteadyHarmonic>& laws)
+    {
+        const Moment now = momentsAt(one.begin, laws).first;
+        std::vector<double> waves;
+        waves.reserve(given_.network.waves());
+        for (const SteadyHarmonic& wave : now.waves.waves()) {
+            waves.push_back(wave.at(now.turn));
+        }
+        const ContactSet own = ContactSet{1} << one.contact;
+        const ContactSet others = met.closed | (met.beginning & ~own);
+        const auto sent = [&](ContactSet closed) {
+            Front front{{given_.network, waves}, std::vector<double>(bars_.size(), 0.0)};
+            move(front, forced_.of(closed), now.force.at(now.turn), now.base.at(now.turn));
+            return front;
+        };
+        requireApart(one.contact, met.beginning & ~own, others | own);
+        return mixed(sent(others), 1.0, sent(others | own), -1.0);
+    }
+
+    /// Contacts that begin together are not to be joined.
+    void requireApart(std::size_t contact, ContactSet together, ContactSet closed)
+    {
+        const NetworkLaw<double>& law = laws_.of(closed);
+        const auto& contacts = given_.network.contacts;
+        for (std::size_t j = 0; j < contacts.size(); ++j) {
+            areApart_ = areApart_ &&
+                        !(contains(together, j) && law.scattererOf(contacts[j].node) ==
+                                                       law.scattererOf(contacts[contact].node));
+        }
+    }
+
+    /// The pushes before and after the front that ends a contact.
+    [[nodiscard]] std::pair<double, double> pushesAt(const NetworkHarmonicContact& one,
+                                                     NetworkLaws<SteadyHarmonic>& laws) const
+    {
+        const auto [before, after] = momentsAt(one.end, laws);
+        const auto push = [&, closed = before.closed](const Moment& now) {
+            return laws.of(closed)
+                .push(one.contact)
+                .at(now.waves.arriving(), now.force, now.base)
+                .at(now.turn);
+        };
+        return {push(before), push(after)};
+    }
+
+    /// The distance of a contact with waves that nothing else moves.
+    [[nodiscard]] double distanceBy(const Front& front, const NetworkHarmonicContact& one) const
     {
         const std::vector<double> places =
             displacementsOf(unforced_, front.waves.waves(), front.drifts);
-        return openingOf(contact_, [&](std::size_t node) { return places[node]; });
+        return openingOf(given_.network.contacts[one.contact],
+                         [&](std::size_t node) { return places[node]; });
     }
 
-    /// What an open network sends beyond what a closed one does as contact begins.
-    void startFront(Complex drive)
-    {
-        const std::vector<SteadyHarmonic>& early = motion_.lanes.front().waves;
-        std::vector<double> waves(early.size());
-        std::transform(early.begin(), early.end(), waves.begin(),
-                       [](const SteadyHarmonic& wave) { return wave.steady + wave.swing.real(); });
-        const HarmonicNetwork::Drive now = given_.drive(drive);
-        const auto sent = [&](ContactSet closed) {
-            const NetworkLaw<double> law(given_.network, closed);
-            Front front{{given_.network, waves}, std::vector<double>(bars_.size(), 0.0)};
-            step(front, law, now.force.real(), now.base.real());
-            return front;
-        };
-        const Front open = sent(0);
-        const Front closed = sent(ContactSet{1} << motion_.first().contact);
-        const auto without = [](std::vector<double> all, const std::vector<double>& part) {
-            std::transform(all.begin(), all.end(), part.begin(), all.begin(), std::minus<>());
-            return all;
-        };
-        front_ = without(open.waves.waves(), closed.waves.waves());
-        drifts_ = without(open.drifts, closed.drifts);
-    }
-
-    void step(Front& front, const NetworkLaw<double>& law, double force = 0.0,
+    void move(Front& front, const NetworkLaw<double>& law, double force = 0.0,
               double base = 0.0) const
     {
         for (std::size_t k = 0; k < bars_.size(); ++k) {
@@ -121,81 +268,93 @@ private:
         front.waves.step(law, force, base);
     }
 
-    /// The pushes before and after the front that ends the contact.
-    void findPushes(Complex drive)
+    [[nodiscard]] Front mixed(const Front& x, double ofX, const Front& y, double ofY) const
     {
-        const NetworkLaw<SteadyHarmonic> closed(given_.network,
-                                                ContactSet{1} << motion_.first().contact);
-        NetworkWaves<SteadyHarmonic> waves(given_.network, motion_.lanes.back().waves);
-        for (std::int64_t m = 0;; ++m) {
-            const HarmonicNetwork::Drive now = given_.drive(drive * given_.turn(m));
-            const SteadyHarmonic force(0.0, now.force);
-            const SteadyHarmonic base(0.0, now.base);
-            const SteadyHarmonic push =
-                closed.push(motion_.first().contact).at(waves.arriving(), force, base);
-            if (m == held_) {
-                pushAfter_ = push.steady + push.swing.real();
-                return;
-            }
-            pushBefore_ = push.steady + (push.swing * given_.turn(1)).real();
-            waves.step(closed, force, base);
-        }
-    }
-
-    /// One step in which a part meets the closed network.
-    void stepBoth(Front& front, double closedPart) const
-    {
-        Front open = front;
-        step(front, closed_);
-        step(open, open_);
-        const auto mixed = [closedPart](std::vector<double> both,
-                                        const std::vector<double>& other) {
-            for (std::size_t i = 0; i < both.size(); ++i) {
-                both[i] = closedPart * both[i] + (1.0 - closedPart) * other[i];
-            }
-            return both;
+        const auto sum = [&](std::vector<double> one, const std::vector<double>& other) {
+            std::transform(one.begin(), one.end(), other.begin(), one.begin(),
+                           [&](double a, double b) { return ofX * a + ofY * b; });
+            return one;
         };
-        front = {{unforced_, mixed(front.waves.waves(), open.waves.waves())},
-                 mixed(front.drifts, open.drifts)};
+        return {{unforced_, sum(x.waves.waves(), y.waves.waves())}, sum(x.drifts, y.drifts)};
     }
 
     /// q_-/(q_- + |q_+|) where the newest front arrives, which has this push for each unit of time.
-    [[nodiscard]] double closedPart(double push, bool isLateAtRelease) const
+    [[nodiscard]] double closedPart(std::size_t k, double push, bool isLateAtRelease) const
     {
-        const double before = isLateAtRelease ? pushBefore_ : pushAfter_ + push;
-        const double after = std::abs(isLateAtRelease ? pushBefore_ - push : pushAfter_);
+        const auto [first, last] = pushes_[k];
+        const double before = isLateAtRelease ? first : last + push;
+        const double after = std::abs(isLateAtRelease ? first - push : last);
         return before / (before + after);
     }
 
-    /// From just after the beginning of contact to the next. `isNewest` until this front, the
-    /// newest of all, has been at the end of a contact. `isMet` once it comes just as contact
-    /// begins.
-    void aPeriodLater(Front& front, const FrontOrders& orders, bool& isNewest, bool& isMet) const
+    /// One step of the front of a beginning. Fronts come by ascending age, so the first one that
+    /// presses where a contact is ended by one is the newest of all that do.
+    void pass(std::size_t j, const Passing& met, Course& course)
     {
-        for (std::int64_t m = 1; m < given_.steps; ++m) {
-            if (m != held_ || !motion_.first().isPinned) {
-                step(front, m <= held_ ? closed_ : open_);
-                continue;
-            }
-            const double push =
-                closed_.push(motion_.first().contact).at(front.waves.arriving(), 0.0, 0.0);
-            const double near = 1e-9 * std::abs(pushBefore_ - pushAfter_);
-            if (isNewest && std::abs(push) > near) {
-                stepBoth(front, closedPart(push, orders.isLateAtRelease));
-                isNewest = false;
-            } else {
-                step(front, orders.isLateAtRelease ? open_ : closed_);
-            }
+        Front& front = course.fronts[j];
+        const auto push = [&](ContactSet closed, std::size_t contact) {
+            return laws_.of(closed).push(contact).at(front.waves.arriving(), 0.0, 0.0);
+        };
+        for (std::size_t c = 0; c < given_.network.contacts.size() && !course.isMet; ++c) {
+            course.isMet = contains(met.beginning, c) && push(met.closed | met.beginning, c) != 0.0;
         }
-        const double push =
-            closed_.push(motion_.first().contact).at(front.waves.arriving(), 0.0, 0.0);
-        isMet = isMet || push != 0.0;
-        step(front, orders.isLateAtContact ? closed_ : open_);
+        const ContactSet closed =
+            met.closed | (course.orders.isLateAtContact ? met.beginning : ContactSet{0});
+        if (met.ending == isOpen) {
+            move(front, laws_.of(closed));
+            return;
+        }
+        const std::size_t ending = met.ending;
+        const ContactSet held = closed | ContactSet{1} << contacts_[ending].contact;
+        const double pushed = push(held, contacts_[ending].contact);
+        const double near = noFront * std::abs(pushes_[ending].first - pushes_[ending].second);
+        if (course.isPinned[ending] || std::abs(pushed) <= near) {
+            move(front, laws_.of(course.orders.isLateAtRelease ? closed : held));
+            return;
+        }
+        course.isPinned[ending] = true;
+        const double part = closedPart(ending, pushed, course.orders.isLateAtRelease);
+        Front open = front;
+        move(front, laws_.of(held));
+        move(open, laws_.of(closed));
+        front = mixed(front, part, open, 1.0 - part);
     }
 
-    /// Growth in the second half of many periods of so many steps of contact.
-    [[nodiscard]] double fadingOf(std::int64_t held) const
+    /// What the fronts say at the beginnings that come before their next step.
+    void enter(std::int64_t travel, Course& course) const
     {
+        const std::size_t count = contacts_.size();
+        for (std::size_t j = 0; j < count; ++j) {
+            for (std::size_t k = 0; k < count; ++k) {
+                const double apart = contacts_[k].begin - contacts_[j].begin;
+                const std::int64_t later =
+                    travel - static_cast<std::int64_t>(std::floor(apart + sameInstant));
+                if (course.hasFaded[j] || later < 0 || later % given_.steps != 0) {
+                    continue;
+                }
+                const auto s = static_cast<std::size_t>(later / given_.steps);
+                course.weights.resize(std::max(course.weights.size(), (s + 1) * count * count));
+                const double weight = j == k && travel == 0
+                                          ? 1.0
+                                          : distanceBy(course.fronts[j], contacts_[k]) / units_[k];
+                // What stays of a bar's place does so in all later periods: their differences
+                // count.
+                double& before = course.before[j * count + k];
+                course.weights[(s * count + k) * count + j] =
+                    bars_.empty() ? weight : weight - before;
+                before = weight;
+            }
+        }
+    }
+
+    /// Growth in the second half of many periods of the steps of a lane.
+    [[nodiscard]] double fadingOf(const HarmonicLane& lane)
+    {
+        std::vector<const NetworkLaw<double>*> steps;
+        steps.reserve(static_cast<std::size_t>(given_.steps));
+        for (std::int64_t m = 0; m < given_.steps; ++m) {
+            steps.push_back(&laws_.of(closedIn(lane, m)));
+        }
         std::mt19937_64 generator(1);
         std::uniform_real_distribution<double> any(-1.0, 1.0);
         std::vector<double> start(given_.network.waves());
@@ -205,11 +364,11 @@ private:
         double spread = 0.0;
         for (int k = 0; k < watchedPeriods; ++k) {
             NetworkWaves<double> waves(unforced_, std::move(start));
-            for (std::int64_t m = 0; m < given_.steps; ++m) {
-                waves.step(m < held ? closed_ : open_, 0.0, 0.0);
+            for (const NetworkLaw<double>* law : steps) {
+                waves.step(*law, 0.0, 0.0);
             }
             start = waves.waves();
-            const double size = sizeOf(start);
+            const double size = largestSizeOf(start);
             if (!(size > 0.0)) {
                 return 0.0;
             }
@@ -228,16 +387,16 @@ private:
 
     const HarmonicNetwork& given_;
     const NetworkHarmonicMotion& motion_;
+    const std::vector<NetworkHarmonicContact>& contacts_;
     Network unforced_;
-    const NetworkContact& contact_;
     std::vector<std::size_t> bars_;  ///< that drift
-    NetworkLaw<double> open_;
-    NetworkLaw<double> closed_;
-    std::int64_t held_;          ///< j
-    std::vector<double> front_;  ///< after the step in which contact begins
-    std::vector<double> drifts_;
-    double pushBefore_ = 0.0;
-    double pushAfter_ = 0.0;
+    NetworkLaws<double> laws_;
+    NetworkLaws<double> forced_;
+    bool areApart_ = true;
+    std::vector<std::vector<Passing>> met_;  ///< by beginning and step after it
+    std::vector<Front> starts_;              ///< after the step in which contact begins
+    std::vector<std::pair<double, double>> pushes_;
+    std::vector<double> units_;  ///< distances by starts_
 };
 
 }  // namespace
@@ -248,9 +407,14 @@ std::optional<double> growthOf(const HarmonicNetwork& given, const NetworkHarmon
     if (drifting > 0 && (drifting > 1 || driftsOf(given.network, motion.first().contact).empty())) {
         return std::nullopt;  // a bar without contact never comes back to its place
     }
-    const NetworkFronts fronts(given, motion);
-    const std::optional<double> growth = growthOfOrders(
-        motion.first().isPinned, [&](const FrontOrders& orders) { return fronts.growth(orders); });
+    NetworkFronts fronts(given, motion);
+    if (!fronts.areApart()) {
+        return std::nullopt;
+    }
+    const bool arePinned = std::any_of(motion.contacts.begin(), motion.contacts.end(),
+                                       [](const auto& one) { return one.isPinned; });
+    const std::optional<double> growth =
+        growthOfOrders(arePinned, [&](const FrontOrders& orders) { return fronts.growth(orders); });
     if (!growth || *growth >= 1.0) {
         return growth;
     }

@@ -7,6 +7,7 @@
 
 #include "contact_spans.hpp"
 #include "harmonic_network_contact.hpp"
+#include "harmonic_network_growth.hpp"
 #include "harmonic_network_march.hpp"
 #include "harmonic_network_pattern.hpp"
 #include "harmonic_network_walk.hpp"
@@ -99,6 +100,7 @@ SettledNetwork settledHarmonic(const HarmonicNetwork& given, const SettlingSearc
             if (settled.motion) {
                 settled.contacts = std::ssize(settled.motion->contacts);
                 measureStrains(still.given, still.displaced, *settled.motion);
+                settled.motion->growth = growthOf(still.given, *settled.motion);
                 return settled;
             }
         }

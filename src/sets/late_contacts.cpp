@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 
+#include "harmonic_motion.hpp"
 #include "infinity.hpp"
 #include "portable.hpp"
 
@@ -14,9 +16,15 @@ namespace {
 constexpr int grownPeriods = 3000;  // in which growth is looked at, and as many before
 constexpr double together = 1e-9;   // a front and a pair of growths that are all there is
 
+/// About how much late beginnings grow, and a root that they go with.
+struct Grown {
+    double size;
+    std::complex<double> root;
+};
+
 /// a(n + 1) = p a(n) + q a(n - 1) at the end, or else the mean growth of two long stretches.
-std::optional<double> pairOf(const std::vector<double>& late, const std::vector<double>& scale,
-                             std::size_t count)
+std::optional<Grown> pairOf(const std::vector<double>& late, const std::vector<double>& scale,
+                            std::size_t count)
 {
     const std::size_t all = scale.size();
     const auto at = [&](std::size_t n) { return late[n * count]; };
@@ -42,14 +50,16 @@ std::optional<double> pairOf(const std::vector<double>& late, const std::vector<
     }
     const double one = zz > 0.0 ? xz / xx : 0.0;
     if (zz > 0.0 && std::abs(zz - one * xz) < together * zz) {
-        return std::abs(one);
+        return Grown{std::abs(one), one};
     }
     const double area = xx * yy - xy * xy;
     const double p = (xz * yy - yz * xy) / area;
     const double q = (yz * xx - xz * xy) / area;
+    const double square = 0.25 * p * p + q;
+    const std::complex<double> root(0.5 * p + std::copysign(std::sqrt(std::max(square, 0.0)), p),
+                                    std::sqrt(std::max(-square, 0.0)));
     if (std::isfinite(p) && std::isfinite(q) && std::abs(zz - p * xz - q * yz) < together * zz) {
-        const double square = 0.25 * p * p + q;
-        return square < 0.0 ? std::sqrt(-q) : 0.5 * std::abs(p) + std::sqrt(square);
+        return Grown{square < 0.0 ? std::sqrt(-q) : std::abs(root.real()), root};
     }
     const auto size = [&](std::size_t n) {
         double sum = 0.0;
@@ -63,8 +73,67 @@ std::optional<double> pairOf(const std::vector<double>& late, const std::vector<
     const double early =
         portable::exp((size(2 * all / 3) - size(third)) / static_cast<double>(third));
     const double last = portable::exp((size(all) - size(2 * all / 3)) / static_cast<double>(third));
-    return std::isfinite(last) && std::abs(early - last) <= sameGrowth * last ? std::optional(last)
-                                                                              : std::nullopt;
+    return std::isfinite(last) && std::abs(early - last) <= sameGrowth * last
+               ? std::optional(Grown{last, root})
+               : std::nullopt;
+}
+
+/// det of sum over s of w_s z^-s.
+std::complex<double> determinant(const std::vector<double>& weights, std::size_t count,
+                                 std::complex<double> z)
+{
+    const std::size_t square = count * count;
+    const std::complex<double> later = 1.0 / z;
+    std::vector<std::complex<double>> sums(square);
+    for (std::size_t s = weights.size() / square; s-- > 0;) {
+        for (std::size_t i = 0; i < square; ++i) {
+            sums[i] = later * sums[i] + weights[s * square + i];
+        }
+    }
+    std::complex<double> product = 1.0;
+    for (std::size_t k = 0; k < count; ++k) {
+        std::size_t pivot = k;
+        for (std::size_t row = k + 1; row < count; ++row) {
+            pivot =
+                std::norm(sums[row * count + k]) > std::norm(sums[pivot * count + k]) ? row : pivot;
+        }
+        if (pivot != k) {
+            std::swap_ranges(&sums[k * count], &sums[k * count] + count, &sums[pivot * count]);
+            product = -product;
+        }
+        product *= sums[k * count + k];
+        for (std::size_t row = k + 1; row < count; ++row) {
+            const std::complex<double> factor = sums[row * count + k] / sums[k * count + k];
+            for (std::size_t column = k; column < count; ++column) {
+                sums[row * count + column] -= factor * sums[k * count + column];
+            }
+        }
+    }
+    return product;
+}
+
+/// The root itself, by secants; what is known about it where they lead elsewhere.
+double refined(const Grown& grown, const std::vector<double>& weights, std::size_t count)
+{
+    constexpr int mostSecants = 40;
+    constexpr double apart = 1e-4;
+    constexpr double noMove = 1e-13;
+    std::complex<double> last = grown.root * (1.0 + apart);
+    std::complex<double> now = grown.root;
+    std::complex<double> lastValue = determinant(weights, count, last);
+    for (int k = 0; k < mostSecants; ++k) {
+        const std::complex<double> value = determinant(weights, count, now);
+        const std::complex<double> move =
+            value == 0.0 ? 0.0 : value * (now - last) / (lastValue - value);
+        last = now;
+        lastValue = value;
+        now += move;
+        if (lengthOf(move) <= noMove * lengthOf(now)) {
+            const double size = lengthOf(now);
+            return std::abs(size - grown.size) <= sameGrowth * grown.size ? size : grown.size;
+        }
+    }
+    return grown.size;
 }
 
 /// In four sums that do not wait for each other, the same on every machine.
@@ -127,7 +196,8 @@ std::optional<double> growthOfLate(const std::vector<double>& weights, std::size
         }
     }
     late.erase(late.begin(), late.begin() + static_cast<std::ptrdiff_t>(width - count));
-    return pairOf(late, scale, count);
+    const std::optional<Grown> grown = pairOf(late, scale, count);
+    return grown ? std::optional(refined(*grown, weights, count)) : std::nullopt;
 }
 
 std::optional<double> growthOfOrders(bool arePinned,
