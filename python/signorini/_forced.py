@@ -107,8 +107,6 @@ def response(*, damping: Quantity | None = None, force: Force, amplitude: Quanti
         The first is a Table of ForcedFrequency.
     """
     asked = _of_bars(gathered(locals()))
-    if contacts not in (1, 2):
-        raise ValueError(f"contacts = {contacts} is out of range: allowed 1, 2")
     if "words" in asked:
         return _core.response_bars({**asked, "exact": False})
     data = _core.response(asked)
@@ -124,6 +122,8 @@ def _of_bars(asked: dict[str, Any]) -> dict[str, Any]:
     if "words" in asked and (asked["damping"] is not None or asked["cells"] is not None):
         raise ValueError("damping, cells: allowed only without a scene of words "
                          "(dash=D among them)")
+    if asked.get("contacts") not in (None, 1, 2):
+        raise ValueError(f"contacts = {asked['contacts']} is out of range: allowed 1, 2")
     return asked
 
 
@@ -152,17 +152,25 @@ def exact_response(*, damping: Quantity | None = None, force: Force,
                    amplitude_velocity: Quantity | None = None,
                    amplitude_acceleration: Quantity | None = None,
                    start: Quantity = 0.5, to: Quantity = 2.0, cycles: int = 1,
-                   cells: int | None = None, threads: int = 1, bar: Bar | None = None,
+                   contacts: int = 1, cells: int | None = None,
+                   threads: int = 1, bar: Bar | None = None,
                    scene: Scene | str | None = None, gravity: Quantity = 0.0,
                    second_stop: Quantity | None = None,
                    segments: Segments | None = None, progress: Progress = None,
                    **bar_options: Quantity | None) -> ExactResponse | SceneResponse:
     """List motions under an exact harmonic over a range, and the curves they lie on.
 
+    Parameters
+    ----------
+    contacts : int
+        Most in a period, of several bars or segments. 2: also the motion with two
+        on which they settle from rest. Of a uniform bar what it settles on is listed
+        anyway, where no motion with one contact is known to attract.
+
     Returns
     -------
     ExactResponse, or of several bars or segments SceneResponse
-        Without curves, and one contact in a period.
+        The latter has no curves.
     """
     asked = _of_bars(gathered(locals()))
     if "words" not in asked and len(asked["scene"].segments) > 1:

@@ -121,6 +121,7 @@ class Frequencies(TypedDict, total=False):
     start: Quantity
     to: Quantity
     cycles: int
+    contacts: int
     threads: int
     progress: Progress
 
@@ -136,7 +137,6 @@ class RangeOfBars(Frequencies, Amplitudes, Bars): ...
 class InSteps(TypedDict, total=False):
     """What can be asked of motions under a harmonic that goes in steps."""
 
-    contacts: int
     band: Quantity | None
     stability: bool
 

@@ -80,6 +80,9 @@ Question<ExactAnswer> exactResponse(const Asked& asked)
     refuseIf(
         like.range.derivative > 0,
         "amplitude_velocity, amplitude_acceleration: allowed only of several bars or segments");
+    refuseIf(like.range.contacts > 1,
+             "contacts: allowed 1 of a uniform bar: what it settles on from rest, with any number "
+             "of contacts, is listed anyway");
     return overFrequencies(
         asked, ExactAnswer{like.range, like.scene, like.bar, like.amplitude, {}, {}}, like.range,
         [](const auto& of, auto n, auto cancel) { return exactAt(of.range, n, cancel); });

@@ -187,7 +187,7 @@ std::vector<Option> ofForce()
               "1"),
         whole("--contacts", response, "K", 1, 2,
               "largest number of contacts in a period; 2: also every schedule with two, each at "
-              "its own amplitude",
+              "its own amplitude, with --exact of bars that on which they settle from rest",
               "1"),
         flag("--exact", response,
              "the harmonic itself in place of a staircase, contacts of any times: all motions "

@@ -40,12 +40,12 @@ struct SceneHarmonicMotion {
     [[nodiscard]] std::optional<bool> attracts() const;
     /// Of one under an exact harmonic.
     [[nodiscard]] std::optional<std::vector<SceneHarmonicContact>> contacts() const;
-    [[nodiscard]] bool hasTwoContacts() const { return inSteps && !inSteps->spans.empty(); }
-    /// What such a motion has of its own.
+    [[nodiscard]] bool hasTwoContacts() const { return value.contacts.size() == 2; }
+    /// What such a motion has of its own under a staircase.
     template <typename Member>
     [[nodiscard]] auto ofTwo(Member member) const
     {
-        return hasTwoContacts() ? std::optional((*inSteps).*member) : std::nullopt;
+        return inSteps && hasTwoContacts() ? std::optional((*inSteps).*member) : std::nullopt;
     }
     [[nodiscard]] const char* release() const
     {

@@ -7,6 +7,7 @@
 #include "contact_response.hpp"
 #include "faults.hpp"
 #include "harmonic_network_contact.hpp"
+#include "harmonic_network_settled.hpp"
 #include "infinity.hpp"
 #include "two_contacts.hpp"
 
@@ -47,7 +48,9 @@ std::vector<std::int64_t> stepsOf(const SceneResponse& asked)
     for (auto n = static_cast<std::int64_t>(std::max(least, shortest));
          n <= static_cast<std::int64_t>(most); ++n) {
         all.push_back(n);
-        schedules += range.contacts > 1 ? twoContactSchedules(n, asked.bars.contacts.size()) : 0.0;
+        schedules += range.contacts > 1 && !range.isExact
+                         ? twoContactSchedules(n, asked.bars.contacts.size())
+                         : 0.0;
     }
     const bool drifts = !driftingBars(networkOf(asked.bars.assembly)).empty();
     requireFewPairs(schedules, drifts ? maxDecidedPairs : maxNetworkPairs);
@@ -94,6 +97,12 @@ SceneResponse responseAsked(const Call& call, const Assembly& assembly)
     range.isExact = call.has("--exact");
     range.triesStability = call.has("--stability");
     const Network network = networkOf(assembly);
+    refuseIf(range.isExact && call.has("--band"), "--band", call.text("--band"),
+             "only of a harmonic in steps, where each schedule has an amplitude of its own");
+    refuseIf(range.isExact && range.contacts > 1 && !driftingBars(network).empty(), "--contacts",
+             call.text("--contacts"),
+             "1 of an exact harmonic; more where a clamp or a spring holds every bar: others have "
+             "no place of rest to settle from");
     takeHertz(call, network, range);
     SceneResponse answer{range, network.scales, severalOf(assembly, network)};
     answer.yieldStress = yieldStress;
@@ -228,6 +237,19 @@ bool addInSteps(SceneFrequency& at, const HarmonicNetwork& given, const SceneRes
            !isRequested(cancel);
 }
 
+/// The motion with two contacts on which bars at rest settle, if there is one.
+void addSettled(SceneFrequency& at, const HarmonicNetwork& given, const SceneResponse& asked,
+                const Cancel& cancel)
+{
+    constexpr std::int64_t cycles = 600;  // to wait for
+    SettledNetwork settled =
+        settledHarmonic(given, {.cycles = cycles, .mostCycles = given.cycles, .cancel = cancel});
+    if (settled.motion && settled.contacts == 2) {
+        at.motions.push_back(
+            answers::motionOf(asked.bars.assembly, asked.scales, std::move(*settled.motion)));
+    }
+}
+
 }  // namespace
 
 std::optional<SceneFrequency> frequencyAt(const SceneResponse& asked, std::int64_t steps,
@@ -261,10 +283,13 @@ std::optional<SceneFrequency> frequencyAt(const SceneResponse& asked, std::int64
         for (NetworkHarmonicMotion& motion : harmonicContacts(given)) {
             at.motions.push_back(motionOf(asked.bars.assembly, scales, std::move(motion)));
         }
+        if (range.contacts > 1 && at.touches()) {
+            addSettled(at, given, asked, cancel);
+        }
     } catch (const Resonance& fault) {
         at.reason = fault.what();
     }
-    return at;
+    return isRequested(cancel) ? std::nullopt : std::optional(std::move(at));
 }
 
 }  // namespace signorini::answers

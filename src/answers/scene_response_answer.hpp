@@ -19,7 +19,8 @@ struct SceneRange {
     double mostHertz = 0.0;
     bool isExact = true;          ///< else the harmonic goes in steps
     bool triesStability = false;  ///< of motions in steps
-    /// Most contacts in a period, in steps; two as `ResponseRange` has them, at any two contacts.
+    /// Most contacts in a period; two in steps as `ResponseRange` has them, at any two contacts, or
+    /// else the motion on which bars at rest settle.
     std::int64_t contacts = 1;
     double band = 0.05;
 };
@@ -79,7 +80,8 @@ struct SceneResponse {
 [[nodiscard]] SceneResponse responseOf(const Assembly& assembly, const SceneRange& range);
 
 /// One frequency of what is asked; waves that resonate are its reason. O(n^2) for each contact,
-/// with two as addTwoContacts (two_contacts.hpp); none if it was cancelled. \throws as
+/// with two as addTwoContacts (two_contacts.hpp) or settledHarmonic (harmonic_network_settled.hpp);
+/// none if it was cancelled. \throws as
 /// harmonicContacts (harmonic_network_contact.hpp), or as contactResponses (contact_response.hpp).
 [[nodiscard]] std::optional<SceneFrequency> frequencyAt(const SceneResponse& asked,
                                                         std::int64_t steps, const Cancel& cancel);
@@ -99,7 +101,7 @@ void describe(auto& d, Type<SceneFrequency>)
     d.key("distance", "m", "Least, of each contact, of bars that pass through each other.",
           &T::distance);
     d.key("motions", "-",
-          "By ascending impulse; under a staircase by contact and its steps, those with two "
+          "By ascending impulse, under a staircase by contact and its steps; those with two "
           "contacts last.",
           &T::motions);
     d.key(
@@ -127,7 +129,8 @@ void describe(auto& d, Type<SceneResponse>)
     d.key("band", "- > 0",
           "How far amplitudes of two contacts may lie from the amplitude, relative.",
           [](const T& a) {
-              return a.range.contacts > 1 ? std::optional(a.range.band) : std::nullopt;
+              return a.range.contacts > 1 && !a.range.isExact ? std::optional(a.range.band)
+                                                              : std::nullopt;
           });
     d.key("amplitude", "N, m, m/s or m/s^2 > 0", "Of the excitation.",
           range(&SceneRange::amplitude));

@@ -94,7 +94,10 @@ ExitStatus runExact(const Given& given, const CommonOptions& common, const Force
                     const ResponseRange& asked, const Scene& scene)
 {
     constexpr std::array others{"--band", "--stability", "--map", "--map-csv", "--backbone-csv"};
-    if (force.derivative > 0 || asked.contacts > 1 ||
+    refuseIf(asked.contacts > 1, "--contacts", given.text("--contacts"),
+             "1 with --exact of a uniform bar: what it settles on from rest, with any number of "
+             "contacts, is listed anyway");
+    if (force.derivative > 0 ||
         std::any_of(others.begin(), others.end(), [&](const char* o) { return given.has(o); })) {
         throw std::invalid_argument(
             "--exact: allowed with --amplitude, --cycles, --yield-stress, --csv and --figure; "

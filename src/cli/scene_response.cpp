@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 
 #include "commands.hpp"
 #include "files.hpp"
@@ -51,13 +52,22 @@ std::string stabilityText(const SceneResponse& answer)
                              attracting, repelling, unknown);
 }
 
-/// The motions with two contacts, each at an amplitude of its own.
+/// The motions with two contacts, in steps each at an amplitude of its own.
 std::string pairsText(const SceneResponse& answer)
 {
     constexpr int most = 6;
     const answers::SceneRange& range = answer.range;
     if (range.contacts < 2) {
         return {};
+    }
+    if (range.isExact) {
+        const auto settled = std::count_if(
+            answer.frequencies.begin(), answer.frequencies.end(), [](const SceneFrequency& at) {
+                return std::any_of(at.motions.begin(), at.motions.end(),
+                                   std::mem_fn(&SceneHarmonicMotion::hasTwoContacts));
+            });
+        return fmt::format("two         contacts at {} of them: what bars at rest settle on\n",
+                           settled);
     }
     std::string text;
     int count = 0;
@@ -141,7 +151,7 @@ void writeSceneResponseCsv(const std::string& path, const SceneResponse& answer)
                     value.residual,
                     isTried ? name(inSteps->stability->result.stability) : std::string_view(),
                     strains.compression, strains.tension, value.growth, motion.attracts(),
-                    motion.hasTwoContacts() ? textOf(inSteps->spans) : std::string(),
+                    inSteps && motion.hasTwoContacts() ? textOf(inSteps->spans) : std::string(),
                     motion.ofTwo(&SceneHarmonicMotion::InSteps::amplitude));
             }
         }
@@ -187,8 +197,6 @@ ExitStatus respondInBars(const Given& given, const CommonOptions& common, const 
     refuseIf(given.has("--backbone-csv"),
              "--backbone-csv: allowed of a uniform bar, whose modes are known");
     const bool isExact = given.has("--exact");
-    refuseIf(isExact && given.whole("--contacts").value_or(1) > 1, "--contacts",
-             given.text("--contacts"), "1 with --exact; 2 of a harmonic in steps");
     for (const char* option : {"--map", "--map-csv"}) {
         refuseIf(
             given.has(option) && (isExact || force.derivative > 0), option, given.text(option),

@@ -657,7 +657,9 @@ TEST_CASE("cli response --exact of several bars: lists of find, and where a simu
     for (const std::string& wrong :
          {"response --band 0.1" + bars + force, "response --exact --damping 0.1" + bars + force,
           "response --exact --stability" + bars + force,
-          "response --exact --contacts 2" + bars + force,
+          "response --exact --contacts 2 --band 0.1" + bars + force,
+          "response --exact --contacts 2 --gravity 9e-4 --scene '4 dash=0.1 driven stop=1e-3'" +
+              force,
           "response --exact --map m.svg" + bars + force,
           "response --exact --from 1e-4" + bars + force}) {
         const auto outcome = program.run(wrong);
