@@ -8,7 +8,6 @@
 #include "scene_figures.hpp"
 #include "scene_find_answer.hpp"
 #include "scene_question_answer.hpp"
-#include "signorini/continuum.hpp"
 #include "state_table.hpp"
 
 namespace signorini::answers {

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "asked_period.hpp"
 #include "exact_answer.hpp"
 #include "exact_figure.hpp"
 #include "forced_answer.hpp"
@@ -81,8 +80,7 @@ Question<ExactAnswer> exactResponse(const Asked& asked)
         like.range.derivative > 0,
         "amplitude_velocity, amplitude_acceleration: allowed only of several bars or segments");
     refuseIf(like.range.contacts > 1,
-             "contacts: allowed 1 of a uniform bar: what it settles on from rest, with any number "
-             "of contacts, is listed anyway");
+             "contacts: allowed 1 of a uniform bar: what it settles on is listed anyway");
     return overFrequencies(
         asked, ExactAnswer{like.range, like.scene, like.bar, like.amplitude, {}, {}}, like.range,
         [](const auto& of, auto n, auto cancel) { return exactAt(of.range, n, cancel); });
