@@ -42,12 +42,12 @@ std::string_view entryOf(PartKind kind)
 
 Assembly assemblyIn(const std::string& words, const Bar& bar, double gravity)
 {
-    const Assembly assembly{.parts = partsOf(words),
-                            .length = bar.length,
-                            .waveSpeed = bar.waveSpeed,
-                            .axialStiffness = bar.axialStiffness,
-                            .gravity = gravity,
-                            .young = bar.young};
+    Assembly assembly{.parts = partsOf(words),
+                      .length = bar.length,
+                      .waveSpeed = bar.waveSpeed,
+                      .axialStiffness = bar.axialStiffness,
+                      .gravity = gravity,
+                      .young = bar.young};
     validate(assembly);
     return assembly;
 }

@@ -101,15 +101,15 @@ public:
         NetworkWaves<double> waves = wavesOf(end);
         std::int64_t step = steps_;
         for (std::size_t i = spans_.size(); i-- > 0;) {
-            const auto& [law, steps] = spans_[i];
-            for (std::int64_t m = 0; m < steps; ++m) {
-                waves.stepBack(*law);
+            const auto& law = *spans_[i].law;
+            for (std::int64_t m = 0; m < spans_[i].steps; ++m) {
+                waves.stepBack(law);
                 --step;
                 for (std::size_t k = 0; k < bars_.size(); ++k) {
-                    add(waves, velocityOf(*law, k), drifts[k]);
+                    add(waves, velocityOf(law, k), drifts[k]);
                 }
                 pushes.forEachAt(step, [&](const ContactMultiplier& push) {
-                    add(waves, law->push(push.contact).terms, push.value);
+                    add(waves, law.push(push.contact).terms, push.value);
                 });
                 arrivals.forEachAt(
                     step, [&](const Arrival& wave) { waves.add(wave.channel, wave.value); });
