@@ -55,7 +55,7 @@ QUESTIONS = {
     "An atlas": ("atlas", "--database {folder}/new.sqlite --max-contact 4 --max-free 8", "Atlas"),
     "A query of an atlas": ("atlas", "--database {folder}/known.sqlite --period 4", "Atlas"),
     "Response to a staircase of forces": ("response", "{force} --from 1 --to 1.1", "response"),
-    "Response to the harmonic itself": ("response", "--exact {force} --from 1.05 --to 1.06", "exact_response"),
+    "Response to the harmonic itself": ("response", "--exact {force} --from 1.05 --to 1.1", "exact_response"),
     "Simulation": ("simulate", "--rest --periods 2 --frequency 1 {force}", "simulate"),
     "Sweep": ("sweep", "--periods 5 --points 2 --from 1 --to 1.1 {force}", "sweep"),
 }
