@@ -193,8 +193,7 @@ TEST_CASE("growth of several contacts: a motion with one contact, of two periods
             }
         }
     }
-    CHECK(known[1] >= test::drawn(5));
+    CHECK((test::drawsFew() || known[1] >= 5));
     CHECK(known[1] >= known[0]);
-    CHECK(seen[0] + seen[1] >= test::drawn(5));
     CHECK((test::drawsFew() || (seen[0] >= 1 && seen[1] >= 4)));
 }
