@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "dual.hpp"
 #include "glpk/glpk.hpp"
 #include "glpk/glpk_problem.hpp"
 #include "stopwatch.hpp"
@@ -106,6 +107,14 @@ SolverResult solved(const Program& program, const SolverOptions& options, Set se
     return result;
 }
 
+/// GLPK's basis has a row for each row of a program: one with many more rows than unknowns is
+/// solved as its dual, in a tenth of the time.
+bool isTall(const Program& program)
+{
+    const Eigen::Index rows = program.equalities.rows() + program.inequalities.rows();
+    return rows > std::max<Eigen::Index>(fewRows, 4 * program.variables());
+}
+
 class Simplex final : public Solver {
 public:
     using Solver::Solver;
@@ -113,6 +122,17 @@ public:
 private:
     [[nodiscard]] SolverResult run(const Program& program,
                                    const SolverOptions& options) const override
+    {
+        if (isTall(program)) {
+            const SolverResult turned = ofProgram(program, solve(dualOf(program), options));
+            if (turned.status != SolverStatus::failed) {
+                return turned;
+            }
+        }
+        return solve(program, options);
+    }
+
+    [[nodiscard]] static SolverResult solve(const Program& program, const SolverOptions& options)
     {
         const auto set = [&options](glp_smcp& settings, glp_prob* problem) {
             settings.out_frq = pivotsOfALook;

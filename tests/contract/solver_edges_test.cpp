@@ -1,7 +1,10 @@
 // The same suite at the edges: odd programs, limits, cancelling, wrong use.
 
+#include <random>
+
 #include "catch.hpp"
 #include "contract_support.hpp"
+#include "sanitized.hpp"
 
 using namespace signorini;
 using namespace signorini::test;
@@ -83,6 +86,64 @@ TEST_CASE("contract: multipliers have the documented signs and leave no gap")
         const double bound = result.equalityDuals.dot(program.equalityRhs) +
                              result.inequalityDuals.dot(program.inequalityRhs);
         CHECK(isCloseTo(bound, result.objective, 1e-6));  // all finite bounds are 0
+    });
+}
+
+TEST_CASE("contract: tall: many more rows than unknowns, with an optimum that was planted")
+{
+    forEachBackend([](const Expected& expected, const Solver& solver) {
+        if (!expected.can.detectsInfeasibility) {
+            return;  // bounds of a million leave GLPK's interior method unstable
+        }
+        std::mt19937_64 generator(12);
+        const auto draw = [&](double low, double high) {
+            return std::uniform_real_distribution<double>(low, high)(generator);
+        };
+        for (int i = 0; i < drawn(40); ++i) {
+            const Eigen::Index n = 2 + i % 5;
+            const auto drawAll = [&] {
+                return Eigen::VectorXd(
+                    Eigen::VectorXd::NullaryExpr(n, [&] { return draw(-1, 1); }));
+            };
+            const Eigen::VectorXd optimum = drawAll();
+            Program program = emptyProgram(n);
+            program.lower.setConstant(-1e6);
+            program.upper.setConstant(1e6);
+            program.lower[0] = optimum[0];
+            program.linear[0] = draw(0.1, 1.0);  // its multiplier
+            for (int row = 0; row < 150; ++row) {
+                const Eigen::VectorXd one = drawAll();
+                const bool isTight = row % 10 == 0 && row / 10 < n - 1;
+                appendRow(program.inequalities, program.inequalityRhs, one,
+                          one.dot(optimum) + (isTight ? 0.0 : draw(0.0, 1.0)));
+                if (isTight) {
+                    program.linear -= draw(0.1, 1.0) * one;
+                }
+            }
+            const SolverResult result = solver.solve(program);
+            checkOptimal(result, program);
+            CHECK(isCloseTo(result.objective, program.linear.dot(optimum), expected.minimum));
+            REQUIRE(result.inequalityDuals.size() == program.inequalities.rows());
+            const Eigen::VectorXd costs =
+                program.linear - program.inequalities.transpose() * result.inequalityDuals;
+            CHECK(costs.tail(n - 1).cwiseAbs().maxCoeff() <= 1e-6);
+            CHECK(costs[0] >= -1e-6);
+            CHECK(result.inequalityDuals.maxCoeff() <= 1e-7);
+
+            Program contradiction = program;  // what all rows leave of a way, and more
+            appendRow(contradiction.inequalities, contradiction.inequalityRhs, program.linear,
+                      result.objective - 0.01);
+            CHECK(solver.solve(contradiction).status == SolverStatus::infeasible);
+
+            Program endless = emptyProgram(n);
+            for (int row = 0; row < 150; ++row) {
+                Eigen::VectorXd one = drawAll();
+                one[0] = -std::abs(one[0]);  // x_0 may grow
+                appendRow(endless.inequalities, endless.inequalityRhs, one, draw(0, 1));
+            }
+            endless.linear[0] = -1.0;
+            checkNotOptimal(solver.solve(endless));
+        }
     });
 }
 
