@@ -7,6 +7,7 @@
 #include "scene_continuum_answer.hpp"
 #include "scene_figures.hpp"
 #include "scene_find_answer.hpp"
+#include "scene_forced_answer.hpp"
 #include "scene_question_answer.hpp"
 #include "state_table.hpp"
 

@@ -241,9 +241,8 @@ bool addInSteps(SceneFrequency& at, const HarmonicNetwork& given, const SceneRes
 void addSettled(SceneFrequency& at, const HarmonicNetwork& given, const SceneResponse& asked,
                 const Cancel& cancel)
 {
-    constexpr std::int64_t cycles = 600;  // to wait for
-    SettledNetwork settled =
-        settledHarmonic(given, {.cycles = cycles, .mostCycles = given.cycles, .cancel = cancel});
+    SettledNetwork settled = settledHarmonic(
+        given, {.cycles = responseCycles, .mostCycles = given.cycles, .cancel = cancel});
     if (settled.motion && settled.contacts == 2) {
         at.motions.push_back(
             answers::motionOf(asked.bars.assembly, asked.scales, std::move(*settled.motion)));

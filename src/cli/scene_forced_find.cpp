@@ -4,6 +4,7 @@
 
 #include "progress.hpp"
 #include "scene_find.hpp"
+#include "scene_forced_answer.hpp"
 
 namespace signorini::cli {
 

@@ -13,9 +13,8 @@ namespace signorini {
 
 namespace {
 
-constexpr double onCurve = 1e-7;            // rad, L/c: the same motion
-constexpr double oneFrequency = 1e-12;      // relative
-constexpr std::int64_t settleCycles = 600;  // to wait for
+constexpr double onCurve = 1e-7;        // rad, L/c: the same motion
+constexpr double oneFrequency = 1e-12;  // relative
 
 Harmonic harmonicOf(const ResponseRange& range, std::int64_t steps)
 {
@@ -94,7 +93,7 @@ std::optional<ExactFrequency> exactAt(const ResponseRange& range, std::int64_t s
     }
     if (at.touches && !attracts && !isRequested(cancel)) {
         SettlingSearch search;
-        search.cycles = settleCycles;
+        search.cycles = responseCycles;
         search.cancel = cancel;
         auto settled =
             settledHarmonic(range.damping, harmonicOf(range, steps), range.stops, search);

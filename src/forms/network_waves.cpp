@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "channel_waves.hpp"
 #include "network_kernel.hpp"
 
 namespace signorini {
@@ -51,20 +52,14 @@ Eigen::MatrixXd carriedBack(const NetworkBlocks& blocks, std::size_t type,
     return waves;
 }
 
-/// Channel and place in the order of arrival of each wave, in the order of `Network::waves`.
+/// visit(channel, order of arrival, place in `Network::waves`) of each wave.
 void forEachWave(const Network& network, const auto& visit)
 {
-    const std::vector<CellRow>& rows = network.rows;
-    for (std::size_t row = 0; row < rows.size(); ++row) {
-        for (std::int64_t cell = rows[row].cells; cell-- > 0;) {
-            visit(2 * row, cell);
+    for (std::size_t channel = 0; channel < network.channels(); ++channel) {
+        const ChannelWaves waves(network, channel);
+        for (std::size_t order = 0; order < waves.size(); ++order) {
+            visit(channel, static_cast<std::int64_t>(order), waves.at(order));
         }
-        for (std::int64_t cell = 0; cell < rows[row].cells; ++cell) {
-            visit(2 * row + 1, cell);
-        }
-    }
-    for (std::size_t channel = 2 * rows.size(); channel < network.channels(); ++channel) {
-        visit(channel, 0);
     }
 }
 
@@ -86,10 +81,9 @@ std::vector<double> wavesAt(const NetworkBlocks& blocks, const NetworkKernel<Num
         return static_cast<double>(
             arriving[type][static_cast<Eigen::Index>(channel) * blocks.turns() + turn]);
     };
-    std::vector<double> all;
-    all.reserve(blocks.network().waves());
-    forEachWave(blocks.network(), [&](std::size_t channel, std::int64_t order) {
-        all.push_back(at(channel, order));
+    std::vector<double> all(blocks.network().waves());
+    forEachWave(blocks.network(), [&](std::size_t channel, std::int64_t order, std::size_t place) {
+        all[place] = at(channel, order);
     });
     return all;
 }
@@ -105,16 +99,15 @@ Eigen::VectorXd periodicBackwards(const NetworkBlocks& blocks, const NetworkKern
         const auto [type, turn] = blocks.placeOf(network.nodeOf(channel), order);
         return all[type](turn, static_cast<Eigen::Index>(channel));
     };
-    Eigen::Index next = 0;
-    forEachWave(network, [&](std::size_t channel, std::int64_t order) {
-        at(channel, order) = given[next++];
+    forEachWave(network, [&](std::size_t channel, std::int64_t order, std::size_t place) {
+        at(channel, order) = given[static_cast<Eigen::Index>(place)];
     });
     NetworkLaws<double> laws(network);
     Eigen::VectorXd state(blocks.stateSize());
     for (std::size_t type = 0; type < all.size(); ++type) {
         const Eigen::MatrixXd once =
             carriedBack(blocks, type, laws, all[type], Eigen::VectorXd::Zero(blocks.stateSize()));
-        next = 0;
+        Eigen::Index next = 0;
         for (Eigen::Index channel = 0; channel < channels; ++channel) {
             const Eigen::Index delay = blocks.delay(static_cast<std::size_t>(channel));
             state.segment(next, delay) = once.col(channel).head(delay) / scaleOf(blocks, channel);
@@ -124,9 +117,8 @@ Eigen::VectorXd periodicBackwards(const NetworkBlocks& blocks, const NetworkKern
         all[type] = carriedBack(blocks, type, laws, all[type], repeated).topRows(turns);
     }
     Eigen::VectorXd made(given.size());
-    next = 0;
-    forEachWave(network, [&](std::size_t channel, std::int64_t order) {
-        made[next++] = at(channel, order);
+    forEachWave(network, [&](std::size_t channel, std::int64_t order, std::size_t place) {
+        made[static_cast<Eigen::Index>(place)] = at(channel, order);
     });
     return made;
 }

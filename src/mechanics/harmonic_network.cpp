@@ -5,6 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "channel_waves.hpp"
 #include "faults.hpp"
 #include "harmonic_motion.hpp"
 #include "network_sweep.hpp"

@@ -30,13 +30,6 @@ struct NetworkStart {
     std::vector<std::vector<Piece>> pieces = {};
 };
 
-/// Steps that a wave takes along the branch of a channel: the cells of a row, 1 of a stub.
-[[nodiscard]] inline std::int64_t lengthOf(const Network& network, std::size_t channel)
-{
-    const std::size_t row = channel / 2;
-    return row < network.rows.size() ? network.rows[row].cells : 1;
-}
-
 /// The waves of a start, piece by piece.
 [[nodiscard]] std::vector<std::vector<Piece>> piecesOf(const Network& network,
                                                        const NetworkStart& start);

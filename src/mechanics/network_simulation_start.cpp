@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "channel_waves.hpp"
 #include "faults.hpp"
 #include "infinity.hpp"
 #include "largest.hpp"
@@ -34,38 +35,16 @@ void requirePieces(Faults& faults, const Network& network, const NetworkStart& s
     }
 }
 
-/// Where the waves of a channel stand in `Network::waves`, as they arrive.
-class ChannelWaves {
-public:
-    ChannelWaves(const Network& network, std::size_t channel)
-        : size_(static_cast<std::size_t>(lengthOf(network, channel)))
-    {
-        const std::size_t rows = network.rows.size();
-        const bool isOfRow = channel < 2 * rows;
-        first_ = isOfRow ? network.firstWave(channel / 2) + (channel % 2) * size_
-                         : network.firstWave(rows) + channel - 2 * rows;
-        isReversed_ = isOfRow && channel % 2 == 0;
+/// Adds to the means of cells what arrives from one time to another.
+void addMean(std::vector<double>& waves, const ChannelWaves& channel, double begin, double end,
+             double value)
+{
+    for (auto order = static_cast<std::size_t>(begin);
+         order < channel.size() && static_cast<double>(order) < end; ++order) {
+        const auto from = static_cast<double>(order);
+        waves[channel.at(order)] += (std::min(end, from + 1.0) - std::max(begin, from)) * value;
     }
-    [[nodiscard]] std::size_t size() const { return size_; }
-    [[nodiscard]] std::size_t at(std::size_t order) const
-    {
-        return first_ + (isReversed_ ? size_ - 1 - order : order);
-    }
-    /// Adds to the means of cells what arrives from one time to another.
-    void addMean(std::vector<double>& waves, double begin, double end, double value) const
-    {
-        for (auto order = static_cast<std::size_t>(begin);
-             order < size_ && static_cast<double>(order) < end; ++order) {
-            const auto from = static_cast<double>(order);
-            waves[at(order)] += (std::min(end, from + 1.0) - std::max(begin, from)) * value;
-        }
-    }
-
-private:
-    std::size_t size_;
-    std::size_t first_ = 0;
-    bool isReversed_ = false;
-};
+}
 
 }  // namespace
 
@@ -103,7 +82,7 @@ std::vector<double> meansOf(const Network& network, const NetworkStart& start)
         double begin = 0.0;
         for (const Piece& piece : start.pieces[k]) {
             const double end = begin + piece.duration;
-            channel.addMean(waves, begin, end, piece.value);
+            addMean(waves, channel, begin, end, piece.value);
             begin = end;
         }
     }
@@ -121,7 +100,7 @@ NetworkStart NetworkSimulation::state() const
             if (duration > 0.0) {
                 pieces.push_back({duration, value});
             }
-            channel.addMean(state.waves, begin, begin + duration, value);
+            addMean(state.waves, channel, begin, begin + duration, value);
             begin += duration;
         });
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "channel_waves.hpp"
 #include "infinity.hpp"
 #include "statics.hpp"
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "channel_waves.hpp"
 #include "dense.hpp"
 #include "faults.hpp"
 #include "infinity.hpp"

@@ -16,6 +16,9 @@ struct SettlingSearch {
     Cancel cancel = {};
 };
 
+/// The same at each of many frequencies.
+inline constexpr std::int64_t responseCycles = 600;
+
 /// A motion and its period, so many of the excitation's.
 struct SettledHarmonic {
     HarmonicCase given;

@@ -14,6 +14,7 @@
 #include "response_answer.hpp"
 #include "scene_continuum_answer.hpp"
 #include "scene_find_answer.hpp"
+#include "scene_forced_answer.hpp"
 #include "scene_harmonic_answer.hpp"
 #include "scene_question_answer.hpp"
 #include "scene_response_answer.hpp"

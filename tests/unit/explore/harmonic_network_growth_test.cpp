@@ -7,6 +7,7 @@
 #include <random>
 
 #include "catch.hpp"
+#include "driven_bar.hpp"
 #include "harmonic_growth.hpp"
 #include "harmonic_network_contact.hpp"
 #include "harmonic_network_march.hpp"
@@ -14,7 +15,6 @@
 #include "harmonic_network_settled.hpp"
 #include "harmonic_network_walk.hpp"
 #include "harmonic_pattern.hpp"
-#include "harmonic_settled.hpp"
 #include "sanitized.hpp"
 #include "signorini/assembly.hpp"
 
@@ -34,25 +34,17 @@ TEST_CASE("growth of several contacts: two equal segments have that of the bar o
         const std::int64_t cells = 6 + i % 9;
         const auto size = static_cast<double>(cells);
         const auto steps = static_cast<std::int64_t>(draw(2.0, 9.0) * size);
-        const Damping damping{.ratio = draw(0.02, 0.2)};
-        Scene scene;
-        Stops stops;
-        if (i % 2 == 0) {
-            stops.left = Fraction{2, 1};
-            scene.secondStop = 2.0 * scene.bar.gap;
-        }
-        const Excited place = i % 3 == 0 ? Excited::base : Excited::tip;
-        const double amplitude = std::exp2(draw(-1.5, 2.0));
-        const auto bar = settledHarmonic(damping, {place, amplitude, 0.0, 1, steps, size}, stops,
-                                         {.cycles = 300});
+        const double ratio = draw(0.02, 0.2);
+        test::DrivenBar drawn(cells, steps, ratio, i % 2 == 0,
+                              i % 3 == 0 ? Excited::base : Excited::tip,
+                              std::exp2(draw(-1.5, 2.0)));
+        const auto bar =
+            settledHarmonic(drawn.damping, drawn.excitation(), drawn.stops, {.cycles = 300});
         if (!bar || bar->motion.contacts.size() < 2 || bar->motion.contacts.size() > 6) {
             continue;
         }
-        scene.segments = {{cells / 2}, {cells - cells / 2}};
-        const std::int64_t cycles = bar->given.cycles;
-        const HarmonicNetwork given{networkOf(scene, cells, damping), place,
-                                    amplitude * (place == Excited::tip ? 1.0 : size),
-                                    cycles * steps, cycles};
+        drawn.halve();
+        const HarmonicNetwork given = drawn.network(bar->given.cycles);
         NetworkHarmonicMotion start;
         start.phase = bar->motion.phase;
         for (const HarmonicContact& one : bar->motion.contacts) {
@@ -62,7 +54,7 @@ TEST_CASE("growth of several contacts: two equal segments have that of the bar o
                                       .isPinned = one.isPinned});
         }
         const auto network = harmonicNear(given, start);
-        INFO(i << ": " << cells << " cells, n = " << steps << ", " << amplitude);
+        INFO(i << ": " << cells << " cells, n = " << steps << ", " << drawn.amplitude);
         if (!network || network->contacts.size() != start.contacts.size()) {
             continue;  // it fades too slowly for steps
         }
@@ -160,7 +152,8 @@ TEST_CASE("growth of several contacts: a motion with one contact, of two periods
         assembly.parts = partsOf(words);
         const Network network = networkOf(assembly);
         const Excited place = network.nodes.front().isShaken ? Excited::base : Excited::tip;
-        for (int i = 0; i < test::drawn(50); ++i) {
+        const int draws = test::drawsFew() ? 30 : 50;  // a fifth holds too few that are seen
+        for (int i = 0; i < draws; ++i) {
             const auto steps =
                 static_cast<std::int64_t>(draw(2.2, 4.5) * static_cast<double>(network.cells()));
             const HarmonicNetwork once{network, place, size * std::exp2(draw(-1.0, 2.0)), steps, 1};
@@ -181,7 +174,6 @@ TEST_CASE("growth of several contacts: a motion with one contact, of two periods
                 CHECK(*growth == Approx(square).epsilon(2e-3));  // other orders of fronts
                 ++known.at(std::abs(*growth - square) < 1e-6 ? 1 : 0);
                 const auto met = growthSeen(twice, repeated, *growth);
-
                 if (met && *growth > 1.0) {
                     CHECK(*met == Approx(*growth).epsilon(0.06));
                     ++seen[0];
@@ -193,7 +185,8 @@ TEST_CASE("growth of several contacts: a motion with one contact, of two periods
             }
         }
     }
-    CHECK((test::drawsFew() || known[1] >= 5));
+    CHECK(known[1] >= test::drawn(5));
     CHECK(known[1] >= known[0]);
+    CHECK(seen[0] + seen[1] >= test::drawn(5));
     CHECK((test::drawsFew() || (seen[0] >= 1 && seen[1] >= 4)));
 }

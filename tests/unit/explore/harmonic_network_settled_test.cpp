@@ -6,6 +6,7 @@
 #include <random>
 
 #include "catch.hpp"
+#include "driven_bar.hpp"
 #include "harmonic_settled.hpp"
 #include "network_simulation.hpp"
 #include "sanitized.hpp"
@@ -25,26 +26,16 @@ TEST_CASE("settled network: two equal segments settle on what the bar of the clo
         const std::int64_t cells = 4 + i % 5;
         const auto size = static_cast<double>(cells);
         const auto steps = static_cast<std::int64_t>(draw(3.0, 9.0) * size);
-        const Damping damping{.ratio = draw(0.1, 0.3)};
-        Scene scene;
-        Stops stops;
-        if (i % 2 == 0) {
-            stops.left = Fraction{2, 1};
-            scene.secondStop = 2.0 * scene.bar.gap;
-        }
-        const Excited place = i % 3 == 0 ? Excited::base : Excited::tip;
-        const double amplitude = std::exp2(draw(-0.5, 2.0));
+        const double ratio = draw(0.1, 0.3);
+        test::DrivenBar drawn(cells, steps, ratio, i % 2 == 0,
+                              i % 3 == 0 ? Excited::base : Excited::tip,
+                              std::exp2(draw(-0.5, 2.0)));
         const SettlingSearch search{.cycles = 300};
-        const auto bar =
-            settledHarmonic(damping, {place, amplitude, 0.0, 1, steps, size}, stops, search);
-        scene.segments = {{cells / 2}, {cells - cells / 2}};
-        const double unit = place == Excited::tip ? 1.0 : size;
+        const auto bar = settledHarmonic(drawn.damping, drawn.excitation(), drawn.stops, search);
+        drawn.halve();
         const std::int64_t cycles = bar ? bar->given.cycles : 1;
-        const SettledNetwork network =
-            settledHarmonic(HarmonicNetwork{networkOf(scene, cells, damping), place,
-                                            unit * amplitude, cycles * steps, cycles},
-                            search);
-        INFO(i << ": " << cells << " cells, n = " << steps << ", " << amplitude);
+        const SettledNetwork network = settledHarmonic(drawn.network(cycles), search);
+        INFO(i << ": " << cells << " cells, n = " << steps << ", " << drawn.amplitude);
         CHECK(network.motion.has_value() == bar.has_value());
         if (!bar || !network.motion) {
             continue;

@@ -6,6 +6,7 @@
 
 #include "catch.hpp"
 #include "disturbed.hpp"
+#include "driven_bar.hpp"
 #include "exact_response.hpp"
 #include "harmonic_contact.hpp"
 #include "harmonic_growth.hpp"
@@ -53,21 +54,13 @@ TEST_CASE("harmonic network: of one bar the list is that of the closed form")
     for (int i = 0; i < 300; ++i) {
         const std::int64_t cells = 3 + i % 6;
         const auto steps = static_cast<std::int64_t>(draw(2.0, 5.5) * static_cast<double>(cells));
-        const Damping damping{.ratio = std::pow(10.0, draw(-2.0, -0.7))};
-        Scene scene;
-        Stops stops;
-        if (i % 5 == 4) {
-            stops.left = Fraction{2, 1};
-            scene.secondStop = 2.0 * scene.bar.gap;
-        }
-        const Excited place = i % 2 == 0 ? Excited::tip : Excited::base;
-        const double amplitude = std::pow(10.0, draw(-1.0, 0.5));
-        const auto bar = harmonicContacts(
-            damping, {place, amplitude, 0.0, 1, steps, static_cast<double>(cells)}, stops);
-        const double unit = place == Excited::tip ? 1.0 : static_cast<double>(cells);
-        const auto network = harmonicContacts(
-            HarmonicNetwork{networkOf(scene, cells, damping), place, unit * amplitude, steps, 1});
-        INFO(i << ": " << cells << " cells, n = " << steps << ", " << amplitude);
+        const double ratio = std::pow(10.0, draw(-2.0, -0.7));
+        const test::DrivenBar drawn(cells, steps, ratio, i % 5 == 4,
+                                    i % 2 == 0 ? Excited::tip : Excited::base,
+                                    std::pow(10.0, draw(-1.0, 0.5)));
+        const auto bar = harmonicContacts(drawn.damping, drawn.excitation(), drawn.stops);
+        const auto network = harmonicContacts(drawn.network());
+        INFO(i << ": " << cells << " cells, n = " << steps << ", " << drawn.amplitude);
         REQUIRE(network.size() == bar.size());
         for (std::size_t k = 0; k < bar.size(); ++k) {
             const auto size = static_cast<double>(cells);
@@ -104,14 +97,12 @@ TEST_CASE("harmonic network: of one bar disturbances grow as by the closed form"
     for (int i = 0; i < 300; ++i) {
         const std::int64_t cells = 30 + i % 23;
         const auto steps = static_cast<std::int64_t>(draw(2.0, 5.5) * static_cast<double>(cells));
-        const Damping damping{.ratio = std::pow(10.0, draw(-2.0, -0.2))};
-        const Excited place = i % 2 == 0 ? Excited::tip : Excited::base;
-        const double amplitude = std::pow(10.0, draw(-1.0, 0.5));
-        const HarmonicCase given = harmonicCase(
-            damping, {place, amplitude, 0.0, 1, steps, static_cast<double>(cells)}, {});
-        const double unit = place == Excited::tip ? 1.0 : static_cast<double>(cells);
-        const auto network = harmonicContacts(
-            HarmonicNetwork{networkOf(Scene{}, cells, damping), place, unit * amplitude, steps, 1});
+        const double ratio = std::pow(10.0, draw(-2.0, -0.2));
+        const test::DrivenBar drawn(cells, steps, ratio, false,
+                                    i % 2 == 0 ? Excited::tip : Excited::base,
+                                    std::pow(10.0, draw(-1.0, 0.5)));
+        const HarmonicCase given = harmonicCase(drawn.damping, drawn.excitation(), drawn.stops);
+        const auto network = harmonicContacts(drawn.network());
         const auto bar = harmonicContacts(given);
         REQUIRE(network.size() == bar.size());
         for (std::size_t k = 0; k < bar.size(); ++k) {
