@@ -31,12 +31,12 @@ SCENES = {
     "pressed": "--cells 12 --gap -1e-4",
     "stepped": "--segments 6:1,6:2",
     "two bars": "--scene 'clamp 6 gap=1e-3 6 clamp'",
-    "flying": "--scene 'stop=1e-3 8 stop=1e-3'",
+    "flying": "--scene 'stop=-1e-3 8 stop=1e-3'",
     "soft root": "--scene 'spring=2 6 stop=1e-3'",
 }
 DRIVEN = {
     "two bars": "--scene 'clamp 6 dash=0.2 driven gap=1e-3 6 clamp'",
-    "flying": "--scene 'stop=1e-3 8 dash=0.2 driven stop=1e-3'",
+    "flying": "--scene 'stop=-1e-3 8 dash=0.2 driven stop=1e-3'",
     "soft root": "--scene 'spring=2 6 dash=0.2 driven stop=1e-3'",
 }
 FORCE = "--damping 0.02 --force tip --amplitude 2e-3"
@@ -88,7 +88,7 @@ OTHERS = set("""--help --period --frequency --hertz --from --to --direction --da
     --resume --near --twins --scene --cells --length --wave-speed --axial-stiffness --gap --second-stop --segments
     --segments-file --young --density --area --diameter --format --quiet --verbose --progress""".split())
 #: Schedules with states of several bars.
-STATES = {"two bars": "1:6 -:18", "flying": "1:2 -:6 2:2 -:6", "soft root": "1:3 -:24"}
+STATES = {"two bars": "1:6 -:18", "flying": "1:16 -:24 2:16 -:24", "soft root": "1:3 -:24"}
 #: What a demand needs beside it to mean anything.
 WITH = {("find", "--target"): "--objective nearest", ("continuum", "--member"): "--state {folder}/state_out.csv",
         ("continuum", "--state"): "--member 0", ("response", "--band"): "--contacts 2",

@@ -7,6 +7,7 @@
 #include "harmonic_network_contact.hpp"
 #include "harmonic_network_settled.hpp"
 #include "late_contacts.hpp"
+#include "statics.hpp"
 
 namespace signorini::answers {
 
@@ -67,8 +68,6 @@ Question<SceneHarmonicAnswer> harmonicAsked(const Call& call, const Assembly& as
     force.requirePlace();
     force.requireAmplitude();
     const std::int64_t contacts = call.whole("--contacts").value_or(1);
-    refuseIf(contacts != 1 && !driftingBars(networkOf(assembly)).empty(), "--contacts",
-             call.text("--contacts"), "1; more where a clamp or a spring holds every bar");
     const std::int64_t cycles = call.whole("--cycles").value_or(1);
     return [=, steps = stepsAsked(call, assembly, cycles),
             limit = call.number("--strain-limit")](const Watch& watch) {
@@ -87,6 +86,10 @@ SceneHarmonicAnswer answerOf(const Assembly& assembly, Excited place, std::int64
         contacts, {}};
     answer.amplitude = displacementAt(answer.frequency(), amplitude, derivative);
     if (contacts > 1) {
+        answer.mayPress = restUnderForces(network).has_value();
+        if (!answer.mayPress) {
+            return answer;
+        }
         SettlingSearch search;
         search.mostCycles = std::max(search.mostCycles, cycles);
         search.cancel = cancel;
@@ -173,9 +176,10 @@ std::optional<std::string> SceneHarmonicAnswer::detail() const
         return std::nullopt;
     }
     if (status() == Status::none) {
-        return "over a period the pushes of one contact have to balance the constant forces on "
-               "bars "
-               "that nothing holds, and cannot";
+        return fmt::format(
+            "over a period the pushes of {} have to balance the constant forces on "
+            "bars that nothing holds, and cannot",
+            contacts == 1 ? "one contact" : "contacts");
     }
     const auto beyond = limit.detail();
     if (!beyond && contacts > 1) {

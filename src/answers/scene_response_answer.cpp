@@ -99,10 +99,6 @@ SceneResponse responseAsked(const Call& call, const Assembly& assembly)
     const Network network = networkOf(assembly);
     refuseIf(range.isExact && call.has("--band"), "--band", call.text("--band"),
              "only of a harmonic in steps, where each schedule has an amplitude of its own");
-    refuseIf(range.isExact && range.contacts > 1 && !driftingBars(network).empty(), "--contacts",
-             call.text("--contacts"),
-             "1 of an exact harmonic; more where a clamp or a spring holds every bar: others have "
-             "no place of rest to settle from");
     takeHertz(call, network, range);
     SceneResponse answer{range, network.scales, severalOf(assembly, network)};
     answer.yieldStress = yieldStress;

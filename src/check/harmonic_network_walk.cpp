@@ -193,10 +193,13 @@ private:
         return now;
     }
 
-    /// Bars that drift swing about where the scene has them; the last one at the contact stands
-    /// where that closes.
+    /// As the motion says (NetworkHarmonicMotion::drifts).
     void placeBars()
     {
+        if (!motion_.drifts.empty()) {
+            drifts_ = startDrifts_ = motion_.drifts;
+            return;
+        }
         const std::size_t first = motion_.first().contact;
         const auto [force, base] = given_.drive(drive_);
         const std::span<const SteadyHarmonic> arriving = lanes_.front().waves.arriving();

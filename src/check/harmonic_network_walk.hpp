@@ -30,9 +30,8 @@ struct HarmonicWatch {
 };
 
 /// Fills in impulse, peakForce and speed, of each contact too, and residual. Distances follow from
-/// the waves at the start, of a bar that drifts from where the first contact closes; elsewhere it
-/// swings about its place in the scene. Within a step push and rate are a constant and a harmonic,
-/// whose extremes are known. O(M + n nodes) for each lane.
+/// the waves at the start and the places of bars that drift. Within a step push and rate are a
+/// constant and a harmonic, whose extremes are known. O(M + n nodes) for each lane.
 void measure(const HarmonicNetwork& given, NetworkHarmonicMotion& motion,
              const HarmonicWatch& watch = {});
 

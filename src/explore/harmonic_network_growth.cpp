@@ -75,7 +75,7 @@ public:
     {
         const std::size_t count = contacts_.size();
         Course course{orders, starts_, std::vector(count, false), std::vector(count, false),
-                      std::vector(count * count, 0.0)};
+                      std::vector<std::vector<double>>(count * count)};
         for (std::int64_t travel = 0;; ++travel) {
             for (std::size_t j = 0; j < count && travel > 0; ++j) {
                 if (!course.hasFaded[j]) {
@@ -89,12 +89,13 @@ public:
             for (std::size_t j = 0; j < count; ++j) {
                 course.hasFaded[j] = sizeOf(course.fronts[j]) <= faded * sizeOf(starts_[j]);
             }
-            const std::size_t terms = course.weights.size() / (count * count);
             if (std::find(course.hasFaded.begin(), course.hasFaded.end(), false) ==
                 course.hasFaded.end()) {
-                return {growthOfLate(course.weights, terms, count), course.isMet};
+                const std::vector<double> weights = weightsOf(course);
+                return {growthOfLate(weights, weights.size() / (count * count), count),
+                        course.isMet};
             }
-            if (terms >= mostTerms) {
+            if (course.seen.front().size() >= mostTerms) {
                 return {std::nullopt};
             }
         }
@@ -117,8 +118,8 @@ private:
         std::vector<Front> fronts;
         std::vector<bool> hasFaded;
         std::vector<bool> isPinned;  ///< has the newest front that ends this contact come?
-        std::vector<double> before;  ///< distances a period ago, by j and k
-        std::vector<double> weights = {};
+        /// What front j makes of the distance of contact k in each period, at k count + j.
+        std::vector<std::vector<double>> seen;
         bool isMet = false;  ///< has a front come just as a contact begins?
     };
 
@@ -332,19 +333,39 @@ private:
                 if (course.hasFaded[j] || later < 0 || later % given_.steps != 0) {
                     continue;
                 }
-                const auto s = static_cast<std::size_t>(later / given_.steps);
-                course.weights.resize(std::max(course.weights.size(), (s + 1) * count * count));
-                const double weight = j == k && travel == 0
-                                          ? 1.0
-                                          : distanceBy(course.fronts[j], contacts_[k]) / units_[k];
-                // What stays of a bar's place does so in all later periods: their differences
-                // count.
-                double& before = course.before[j * count + k];
-                course.weights[(s * count + k) * count + j] =
-                    bars_.empty() ? weight : weight - before;
-                before = weight;
+                std::vector<double>& seen = course.seen[k * count + j];
+                seen.resize(static_cast<std::size_t>(later / given_.steps) + 1);
+                seen.back() = j == k && travel == 0
+                                  ? 1.0
+                                  : distanceBy(course.fronts[j], contacts_[k]) / units_[k];
             }
         }
+    }
+
+    /// As growthOfLate takes them.
+    [[nodiscard]] std::vector<double> weightsOf(const Course& course) const
+    {
+        const std::size_t count = contacts_.size();
+        std::size_t terms = 0;
+        for (const std::vector<double>& one : course.seen) {
+            terms = std::max(terms, one.size());
+        }
+        std::vector<double> by;
+        for (std::size_t k = 0; k < count; ++k) {
+            const auto touched = driftsOf(given_.network, contacts_[k].contact);
+            by.push_back(touched.empty() ? 0.0 : touched.front().second / units_[k]);
+        }
+        std::vector<double> weights(terms * count * count);
+        for (std::size_t row = 0; row < count * count; ++row) {
+            const Front& front = course.fronts[row % count];
+            const double left = front.drifts.empty() ? 0.0 : by[row / count] * front.drifts.front();
+            const std::vector<double>& seen = course.seen[row];
+            for (std::size_t s = 0; s < terms; ++s) {
+                weights[s * count * count + row] = s < seen.size() ? seen[s] : left;
+            }
+        }
+        takeOffPlace(weights, by);
+        return weights;
     }
 
     /// Growth in the second half of many periods of the steps of a lane.
@@ -404,7 +425,10 @@ private:
 std::optional<double> growthOf(const HarmonicNetwork& given, const NetworkHarmonicMotion& motion)
 {
     const std::size_t drifting = driftingBars(given.network).size();
-    if (drifting > 0 && (drifting > 1 || driftsOf(given.network, motion.first().contact).empty())) {
+    const bool isTouched =
+        std::any_of(motion.contacts.begin(), motion.contacts.end(),
+                    [&](const auto& one) { return !driftsOf(given.network, one.contact).empty(); });
+    if (drifting > 1 || (drifting == 1 && !isTouched)) {
         return std::nullopt;  // a bar without contact never comes back to its place
     }
     NetworkFronts fronts(given, motion);

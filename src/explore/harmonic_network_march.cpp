@@ -6,6 +6,7 @@
 
 #include "contact_spans.hpp"
 #include "harmonic_motion.hpp"
+#include "harmonic_network_walk.hpp"
 #include "largest.hpp"
 #include "portable.hpp"
 
@@ -17,6 +18,7 @@ constexpr std::size_t mostLanes = 600;
 constexpr std::int64_t mostLaneSteps = 20'000'000;
 constexpr int mostEvents = 200;  // in a lane of a step
 constexpr double sameDistance = 1e-14;
+constexpr double sameEvent = 1e-7;  // steps
 
 }  // namespace
 
@@ -295,6 +297,40 @@ void HarmonicNetworkMarch::merge()
     for (const HarmonicLane& lane : kept) {
         add(lane.from, lane.to, {given_.network, lane.waves});
     }
+}
+
+std::vector<NetworkHarmonicContact> contactsAfter(const HarmonicNetwork& given,
+                                                  const NetworkHarmonicMotion& motion)
+{
+    const auto period = static_cast<double>(given.steps);
+    ContactSet closed = 0;
+    for (const NetworkHarmonicContact& one : motion.contacts) {
+        closed |= one.end > period + sameEvent ? ContactSet{1} << one.contact : 0;
+    }
+    std::vector<double> distances = startDistances(given, motion);
+    distances[motion.first().contact] = 0.0;
+    HarmonicNetworkMarch march(given, motion.phase, motion.lanes, std::move(distances), closed,
+                               0.0);
+    if (!march.advance(given.steps)) {
+        return {};
+    }
+    std::vector<NetworkHarmonicContact> found;
+    for (const NetworkHarmonicContact& one : march.contacts()) {
+        if (one.begin >= 0.0 && one.begin < period - sameEvent) {
+            found.push_back(one);
+        }
+    }
+    for (NetworkHarmonicContact& one : found) {
+        if (one.end == 0.0) {  // it lasts into the next period
+            const auto& all = march.contacts();
+            const auto rest = std::find_if(all.begin(), all.end(), [&](const auto& other) {
+                return other.contact == one.contact && other.begin < 0.0;
+            });
+            one.end = period + (rest == all.end() ? 0.0 : rest->end);
+            one.isPinned = rest == all.end() || rest->isPinned;
+        }
+    }
+    return found;
 }
 
 }  // namespace signorini

@@ -17,8 +17,8 @@ class HarmonicNetworkMarch {
 public:
     /// From waves, distances and closed contacts at t = 0, the excitation being |A| cos(omega t -
     /// phase). Once a period neighbours become one lane where the shorter one's length times what
-    /// they differ by is at most mergeBelow times the largest wave. \pre no bar drifts, and nothing
-    /// pulls but the harmonic.
+    /// they differ by is at most mergeBelow times the largest wave. \pre nothing
+    /// pulls but the harmonic, and constant forces at bars that drift.
     HarmonicNetworkMarch(const HarmonicNetwork& given, double phase,
                          const std::vector<HarmonicLane>& lanes, std::vector<double> distances,
                          ContactSet closed, double mergeBelow);
@@ -82,5 +82,10 @@ private:
     const NetworkLaw<SteadyHarmonic>* law_ = nullptr;  ///< of `closed_`
     std::vector<NetworkHarmonicContact> contacts_;
 };
+
+/// What a motion that is not quite one does in a period: its contacts as they should be. None: too
+/// many events.
+[[nodiscard]] std::vector<NetworkHarmonicContact> contactsAfter(
+    const HarmonicNetwork& given, const NetworkHarmonicMotion& motion);
 
 }  // namespace signorini

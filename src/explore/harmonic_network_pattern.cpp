@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 #include "contact_spans.hpp"
@@ -11,7 +10,6 @@
 #include "harmonic_network_march.hpp"
 #include "harmonic_network_walk.hpp"
 #include "infinity.hpp"
-#include "largest.hpp"
 
 namespace signorini {
 
@@ -24,7 +22,6 @@ constexpr int mostNewton = 25;
 constexpr double longestMove = 0.1;                // steps, and rad
 constexpr double noMove = 1e-13;                   // that changes nothing any more
 constexpr double sameCut = 1e-12;                  // steps
-constexpr double sameEvent = 1e-7;                 // steps
 constexpr std::int64_t mostFadeSteps = 4'000'000;  // until waves of a lane come back
 
 /// A time whole + the place of that number.
@@ -43,12 +40,20 @@ struct CutContact {
 class NetworkPattern {
 public:
     NetworkPattern(const HarmonicNetwork& given, const NetworkHarmonicMotion& start)
-        : given_(given), excitation_(given.amplitude * turned(-start.phase)), laws_(given.network)
+        : given_(given),
+          bars_(driftingBars(given.network)),
+          drifts_(bars_.size(), 0.0),
+          isTouched_(bars_.size(), false),
+          excitation_(turned(-start.phase)),
+          laws_(given.network)
     {
         places_.push_back(0.0);
         for (const NetworkHarmonicContact& one : start.contacts) {
             const Cut begin = contacts_.empty() ? Cut{} : ownCut(one.begin);
             contacts_.push_back({one.contact, one.isPinned, begin, {}});
+            for (const auto& [bar, sign] : driftsOf(given.network, one.contact)) {
+                isTouched_[bar] = true;
+            }
         }
         const std::size_t begins = places_.size();
         for (std::size_t k = 0; k < contacts_.size(); ++k) {
@@ -90,40 +95,23 @@ public:
     /// One step of Newton. \return how far it went; infinite where it cannot.
     [[nodiscard]] double improve()
     {
-        const auto size = static_cast<Eigen::Index>(places_.size());
-        Eigen::VectorXd residual = Eigen::VectorXd::Zero(size);
-        Eigen::MatrixXd slope = Eigen::MatrixXd::Zero(size, size);
-        Eigen::Index row = 0;
-        for (std::size_t k = 0; k < contacts_.size(); ++k, ++row) {
-            const Complex way = wayTo(k);
-            residual[row] = gapOf(k) + (excitation_ * way).real();
-            slope(row, 0) = (excitation_ * way).imag();
-            for (std::size_t place = 1; place < places_.size(); ++place) {
-                const std::size_t lane = rank_[place];
-                slope(row, static_cast<Eigen::Index>(place)) =
-                    (excitation_ * (ways_[lane - 1][k] - ways_[lane][k]) * at(places_[place]))
-                        .real();
-            }
-        }
-        for (std::size_t k = 0; k < contacts_.size(); ++k) {
-            if (!contacts_[k].isPinned) {
-                const std::size_t place = contacts_[k].end.place;
-                const Complex push = excitation_ * pushes_[k] * at(places_[place]);
-                residual[row] = push.real();
-                slope(row, 0) = push.imag();
-                slope(row, static_cast<Eigen::Index>(place)) = -given_.omega() * push.imag();
-                ++row;
-            }
-        }
-        Eigen::VectorXd move = SquareFactors(slope).solve(-residual);
+        Equations equations(static_cast<Eigen::Index>(places_.size() + bars_.size()));
+        enterDistances(equations);
+        enterPushes(equations);
+        enterDrifts(equations);
+        const Eigen::VectorXd move = SquareFactors(equations.slope).solve(-equations.residual);
         if (!move.allFinite()) {
             return infinity;
         }
-        const double far = move.cwiseAbs().maxCoeff();
-        move *= std::min(1.0, longestMove / std::max(far, noMove));
-        excitation_ *= turned(-move[0]);
+        const double far =
+            move.head(static_cast<Eigen::Index>(places_.size())).cwiseAbs().maxCoeff();
+        const double part = std::min(1.0, longestMove / std::max(far, noMove));
+        excitation_ *= turned(-part * move[0]);
         for (std::size_t place = 1; place < places_.size(); ++place) {
-            places_[place] += move[static_cast<Eigen::Index>(place)];
+            places_[place] += part * move[static_cast<Eigen::Index>(place)];
+        }
+        for (std::size_t bar = 0; bar < bars_.size(); ++bar) {  // all rows are linear in these
+            drifts_[bar] += move[columnOf(bar)];
         }
         return far;
     }
@@ -153,18 +141,92 @@ public:
             if (to(lane) - from(lane) > sameCut || order_.size() == 1) {
                 std::vector<SteadyHarmonic> waves;
                 waves.reserve(waves_[lane].size());
-                for (const Complex wave : waves_[lane]) {
-                    waves.emplace_back(0.0, excitation_ * wave);
+                for (const SteadyHarmonic& wave : waves_[lane]) {
+                    waves.emplace_back(wave.steady, excitation_ * wave.swing);
                 }
                 const double begin = motion.lanes.empty() ? 0.0 : motion.lanes.back().to;
                 motion.lanes.push_back({begin, to(lane), std::move(waves)});
             }
         }
         motion.lanes.back().to = 1.0;
+        motion.drifts = drifts_;
         return motion;
     }
 
 private:
+    /// Of arg A (negative), places, and displacements of bars that drift.
+    struct Equations {
+        Eigen::VectorXd residual;
+        Eigen::MatrixXd slope;
+        Eigen::Index row = 0;
+
+        explicit Equations(Eigen::Index size)
+            : residual(Eigen::VectorXd::Zero(size)), slope(Eigen::MatrixXd::Zero(size, size))
+        {
+        }
+    };
+
+    [[nodiscard]] Eigen::Index columnOf(std::size_t bar) const
+    {
+        return static_cast<Eigen::Index>(places_.size() + bar);
+    }
+
+    /// A row for what lanes add up to.
+    void enter(Equations& to, const SteadyHarmonic& sum, const auto& ofLane) const
+    {
+        to.residual[to.row] = sum.at(excitation_);
+        to.slope(to.row, 0) = (excitation_ * sum.swing).imag();
+        for (std::size_t place = 1; place < places_.size(); ++place) {
+            const std::size_t lane = rank_[place];
+            to.slope(to.row, static_cast<Eigen::Index>(place)) =
+                (ofLane(lane - 1) - ofLane(lane)).at(excitation_ * at(places_[place]));
+        }
+    }
+
+    void enterDistances(Equations& to) const
+    {
+        for (std::size_t k = 0; k < contacts_.size(); ++k, ++to.row) {
+            enter(to, wayTo(k), [&](std::size_t lane) { return follows_[lane].ways[k]; });
+            to.residual[to.row] += given_.network.contacts[contacts_[k].contact].gap;
+            for (const auto& [bar, sign] : driftsOf(given_.network, contacts_[k].contact)) {
+                to.residual[to.row] += sign * drifts_[bar];
+                to.slope(to.row, columnOf(bar)) = sign;
+            }
+        }
+    }
+
+    void enterPushes(Equations& to) const
+    {
+        for (std::size_t k = 0; k < contacts_.size(); ++k) {
+            if (!contacts_[k].isPinned) {
+                const std::size_t place = contacts_[k].end.place;
+                const Complex turn = excitation_ * at(places_[place]);
+                const double rate = (pushes_[k].swing * turn).imag();
+                to.residual[to.row] = pushes_[k].at(turn);
+                to.slope(to.row, 0) = rate;
+                to.slope(to.row, static_cast<Eigen::Index>(place)) = -given_.omega() * rate;
+                ++to.row;
+            }
+        }
+    }
+
+    /// Bars that contacts touch come back; others swing about their places in the scene.
+    void enterDrifts(Equations& to) const
+    {
+        for (std::size_t bar = 0; bar < bars_.size(); ++bar, ++to.row) {
+            const auto rateIn = [&](std::size_t lane) { return follows_[lane].rates[bar]; };
+            if (isTouched_[bar]) {
+                enter(to, sumOf(rateIn), rateIn);
+            } else {
+                const Complex swing = excitation_ * follows_.front().firstRates[bar].swing /
+                                      Complex(0.0, given_.omega());
+                to.residual[to.row] = drifts_[bar] - swing.real();
+                to.slope(to.row, 0) = -swing.imag();
+                to.slope(to.row, columnOf(bar)) = 1.0;
+            }
+        }
+    }
+
     [[nodiscard]] Cut ownCut(double time)
     {
         const double whole = std::floor(time);
@@ -215,26 +277,33 @@ private:
         return closed;
     }
 
-    /// Waves for A = 1 that come back.
-    [[nodiscard]] std::optional<std::vector<Complex>> fixedWaves(
+    /// What drives a step where A is |A|.
+    [[nodiscard]] std::pair<SteadyHarmonic, SteadyHarmonic> driveAt(std::int64_t m) const
+    {
+        const auto [force, base] = given_.drive(given_.amplitude * given_.turn(m));
+        return {SteadyHarmonic(0.0, force), SteadyHarmonic(0.0, base)};
+    }
+
+    /// Waves for A = |A| that come back.
+    [[nodiscard]] std::optional<std::vector<SteadyHarmonic>> fixedWaves(
         const std::vector<ContactSet>& closed)
     {
         constexpr double noChange = 1e-15;
-        std::vector<Complex> now(given_.network.waves());
+        std::vector<SteadyHarmonic> now(given_.network.waves());
         double least = infinity;  // change so far
         int stale = 0;
         for (std::int64_t done = 0; done < mostFadeSteps; done += given_.steps) {
-            NetworkWaves<Complex> waves(given_.network, now);
+            NetworkWaves<SteadyHarmonic> waves(given_.network, now);
             for (std::int64_t m = 0; m < given_.steps; ++m) {
-                const auto [force, base] = given_.drive(given_.turn(m));
+                const auto [force, base] = driveAt(m);
                 waves.step(laws_.of(closed[static_cast<std::size_t>(m)]), force, base);
             }
-            std::vector<Complex> next = waves.waves();
+            std::vector<SteadyHarmonic> next = waves.waves();
             double change = 0.0;
             double size = 0.0;
             for (std::size_t i = 0; i < next.size(); ++i) {
-                change = std::max(change, lengthOf(next[i] - now[i]));
-                size = std::max(size, lengthOf(next[i]));
+                change = std::max(change, (next[i] - now[i]).largest());
+                size = std::max(size, next[i].largest());
             }
             now = std::move(next);
             stale = change < least ? 0 : stale + 1;
@@ -247,29 +316,35 @@ private:
         return std::nullopt;
     }
 
-    /// What this lane makes of distances where contacts begin, and of pushes where they fade.
+    /// What this lane makes of distances where contacts begin, of pushes where they fade, and of
+    /// bars that drift.
     void follow(std::size_t lane, const std::vector<ContactSet>& closed)
     {
         const Network& network = given_.network;
         pushes_.resize(contacts_.size());
-        std::vector<Complex> sums(network.contacts.size());
+        std::vector<SteadyHarmonic> sums(network.contacts.size());
         for (std::size_t j = 0; j < sums.size(); ++j) {
             std::vector<double> by(network.waves(), 0.0);
             addDistance(by, network, j, 1.0);
             for (std::size_t i = 0; i < by.size(); ++i) {
-                sums[j] += by[i] * waves_[lane][i];
+                sums[j] = sums[j] + by[i] * waves_[lane][i];
             }
         }
-        std::vector<Complex> ways(contacts_.size());
-        NetworkWaves<Complex> waves(network, waves_[lane]);
+        Followed followed;
+        followed.ways.resize(contacts_.size());
+        followed.rates.resize(bars_.size());
+        NetworkWaves<SteadyHarmonic> waves(network, waves_[lane]);
         for (std::int64_t m = 0; m <= given_.steps; ++m) {
-            const auto [force, base] = given_.drive(given_.turn(m));
+            const auto [force, base] = driveAt(m);
             const ContactSet held = closed[static_cast<std::size_t>(m % given_.steps)];
-            const NetworkLaw<Complex>& law = laws_.of(held);
+            const NetworkLaw<SteadyHarmonic>& law = laws_.of(held);
+            const auto velocity = [&, f = force, b = base](std::size_t node) {
+                return law.velocity(node).at(waves.arriving(), f, b);
+            };
             for (std::size_t k = 0; k < contacts_.size(); ++k) {
                 const CutContact& one = contacts_[k];
                 if (stepAfter(one.begin, lane) == m) {
-                    ways[k] = sums[one.contact];
+                    followed.ways[k] = sums[one.contact];
                 }
                 if (!one.isPinned && rank_[one.end.place] == lane + 1 &&
                     one.end.whole % given_.steps == m) {
@@ -278,81 +353,66 @@ private:
             }
             for (std::size_t j = 0; j < sums.size(); ++j) {
                 if (!contains(held, j)) {
-                    sums[j] +=
-                        openingOf(network.contacts[j], [&, f = force, b = base](std::size_t node) {
-                            return law.velocity(node).at(waves.arriving(), f, b);
-                        });
+                    sums[j] = sums[j] + openingOf(network.contacts[j], velocity);
+                }
+            }
+            for (std::size_t bar = 0; bar < bars_.size() && m < given_.steps; ++bar) {
+                const SteadyHarmonic rate = velocity(network.bars[bars_[bar]].firstNode);
+                followed.rates[bar] = followed.rates[bar] + rate;
+                if (m == 0) {
+                    followed.firstRates.push_back(rate);
                 }
             }
             waves.step(law, force, base);
         }
-        ways_.push_back(std::move(ways));
+        follows_.push_back(std::move(followed));
     }
 
-    /// The distance at a beginning is the gap and A times this.
-    [[nodiscard]] Complex wayTo(std::size_t k) const
+    /// What all lanes add up to, for A = |A|.
+    [[nodiscard]] SteadyHarmonic sumOf(const auto& ofLane) const
     {
-        Complex way = 0.0;
+        SteadyHarmonic sum;
         for (std::size_t lane = 0; lane < order_.size(); ++lane) {
-            way += ways_[lane][k] * given_.weight(from(lane), to(lane));
+            const SteadyHarmonic rate = ofLane(lane);
+            sum = sum + SteadyHarmonic(rate.steady * (to(lane) - from(lane)),
+                                       rate.swing * given_.weight(from(lane), to(lane)));
         }
+        return sum;
+    }
+
+    /// The distance at a beginning, without the gap and what bars have drifted.
+    [[nodiscard]] SteadyHarmonic wayTo(std::size_t k) const
+    {
+        SteadyHarmonic way = sumOf([&](std::size_t lane) { return follows_[lane].ways[k]; });
         if (given_.place != Excited::tip) {
             std::vector<double> by(given_.network.waves(), 0.0);
-            way += addDistance(by, given_.network, contacts_[k].contact, 1.0);
+            way.swing +=
+                given_.amplitude * addDistance(by, given_.network, contacts_[k].contact, 1.0);
         }
         return way;
     }
-    [[nodiscard]] double gapOf(std::size_t k) const
-    {
-        return given_.network.contacts[contacts_[k].contact].gap;
-    }
+
+    /// Of a lane, for A = |A|.
+    struct Followed {
+        std::vector<SteadyHarmonic> ways;        ///< G, by contact: of distances at beginnings
+        std::vector<SteadyHarmonic> rates;       ///< by bar that drifts, in a period
+        std::vector<SteadyHarmonic> firstRates;  ///< in its first step
+    };
 
     const HarmonicNetwork& given_;
-    Complex excitation_;          ///< A
-    std::vector<double> places_;  ///< in a step; the first is 0
+    std::vector<std::size_t> bars_;  ///< that drift
+    std::vector<double> drifts_;     ///< displacements of their first nodes at t = 0
+    std::vector<bool> isTouched_;    ///< by a contact, of these bars
+    Complex excitation_;             ///< A/|A|
+    std::vector<double> places_;     ///< in a step; the first is 0
     std::vector<CutContact> contacts_;
     std::vector<std::size_t> order_;  ///< lanes begin at these places
     std::vector<std::size_t> rank_;   ///< the lane that begins at a place
-    NetworkLaws<Complex> laws_;
-    std::vector<std::vector<Complex>> waves_;  ///< by lane, for A = 1
-    std::vector<std::vector<Complex>> ways_;   ///< G, by lane and contact
-    std::vector<Complex> pushes_;              ///< P
+    NetworkLaws<SteadyHarmonic> laws_;
+    std::vector<std::vector<SteadyHarmonic>> waves_;  ///< by lane, for A = |A|
+    std::vector<Followed> follows_;                   ///< by lane
+    std::vector<SteadyHarmonic> pushes_;              ///< P
 };
-
-/// What a motion that is not one does in a period: its contacts as they should be.
-[[nodiscard]] std::vector<NetworkHarmonicContact> contactsAfter(const HarmonicNetwork& given,
-                                                                const NetworkHarmonicMotion& motion)
-{
-    const auto period = static_cast<double>(given.steps);
-    ContactSet closed = 0;
-    for (const NetworkHarmonicContact& one : motion.contacts) {
-        closed |= one.end > period + sameEvent ? ContactSet{1} << one.contact : 0;
-    }
-    std::vector<double> distances = startDistances(given, motion);
-    distances[motion.first().contact] = 0.0;
-    HarmonicNetworkMarch march(given, motion.phase, motion.lanes, std::move(distances), closed,
-                               0.0);
-    if (!march.advance(given.steps)) {
-        return {};
-    }
-    std::vector<NetworkHarmonicContact> found;
-    for (const NetworkHarmonicContact& one : march.contacts()) {
-        if (one.begin >= 0.0 && one.begin < period - sameEvent) {
-            found.push_back(one);
-        }
-    }
-    for (NetworkHarmonicContact& one : found) {
-        if (one.end == 0.0) {  // it lasts into the next period
-            const auto& all = march.contacts();
-            const auto rest = std::find_if(all.begin(), all.end(), [&](const auto& other) {
-                return other.contact == one.contact && other.begin < 0.0;
-            });
-            one.end = period + (rest == all.end() ? 0.0 : rest->end);
-            one.isPinned = rest == all.end() || rest->isPinned;
-        }
-    }
-    return found;
-}
 
 }  // namespace
 

@@ -22,8 +22,8 @@
 namespace signorini {
 
 /// The motion near a start, of which phase and contacts are read, measured; none if Newton
-/// does not come to one, or its waves fade too slowly. \pre no bar drifts, and nothing pulls but
-/// the harmonic. O(lanes (n nodes periods + M)) for each pattern tried.
+/// does not come to one, or its waves fade too slowly. \pre nothing pulls but the harmonic, and
+/// constant forces at bars that drift. O(lanes (n nodes periods + M)) for each pattern tried.
 [[nodiscard]] std::optional<NetworkHarmonicMotion> harmonicNear(const HarmonicNetwork& given,
                                                                 NetworkHarmonicMotion start);
 

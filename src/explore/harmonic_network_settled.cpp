@@ -49,11 +49,6 @@ std::vector<NetworkHarmonicContact> eventsOf(const std::vector<NetworkHarmonicCo
 SettledNetwork settledHarmonic(const HarmonicNetwork& given, const SettlingSearch& search)
 {
     const StillCase still = stillOf(given);
-    if (!driftingBars(given.network).empty()) {
-        throw std::invalid_argument(
-            "bars in a row: of several contacts in a period allowed those that a clamp or "
-            "a spring holds");
-    }
     HarmonicNetworkMarch march = HarmonicNetworkMarch::atRest(still.given, mergeLanes);
     const double cycle = static_cast<double>(given.steps) / static_cast<double>(given.cycles);
     const std::int64_t most = std::max(search.mostCycles, given.cycles);

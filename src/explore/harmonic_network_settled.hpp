@@ -18,8 +18,7 @@ struct SettledNetwork {
 };
 
 /// Marches from rest until contacts repeat (harmonic_network_march.hpp), then solves for the
-/// motion. \throws std::invalid_argument as harmonicContacts (harmonic_network_contact.hpp), and
-/// where a bar drifts.
+/// motion. \throws std::invalid_argument as harmonicContacts (harmonic_network_contact.hpp).
 [[nodiscard]] SettledNetwork settledHarmonic(const HarmonicNetwork& given,
                                              const SettlingSearch& search = {});
 

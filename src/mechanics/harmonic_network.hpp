@@ -117,7 +117,11 @@ struct NetworkHarmonicMotion {
     double phase = 0.0;                            ///< [rad], of |A| cos(omega t - phase)
     std::vector<NetworkHarmonicContact> contacts;  ///< one period, as they begin
     std::vector<HarmonicLane> lanes;               ///< from 0 to 1
-    double impulse = 0.0;                          ///< of all contacts; what follows is measured
+    /// Displacements at t = 0 of the first nodes of bars that drift, from the left. Empty: the last
+    /// one at the first contact stands where that closes, others swing about their places in the
+    /// scene.
+    std::vector<double> drifts = {};
+    double impulse = 0.0;  ///< of all contacts; what follows is measured
     double peakForce = 0.0;
     double speed = 0.0;  ///< the largest with which one closes
     /// Of (l - r)/speed, as in NetworkExtremes (network_walk.hpp).

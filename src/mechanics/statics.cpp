@@ -253,7 +253,7 @@ std::vector<double> stretchedWaves(const Network& network, std::span<const doubl
     return waves;
 }
 
-Rest restOf(const Network& network)
+std::optional<Rest> restUnderForces(const Network& network)
 {
     if (network.contacts.size() > mostRestContacts) {
         throwFault("contacts of a scene at rest", network.contacts.size(),
@@ -274,6 +274,14 @@ Rest restOf(const Network& network)
                               stretched[channel]);
         }
         return rest;
+    }
+    return std::nullopt;
+}
+
+Rest restOf(const Network& network)
+{
+    if (std::optional<Rest> rest = restUnderForces(network)) {
+        return *std::move(rest);
     }
     throwFault("constant forces", "those of the scene", "what contacts can hold at rest",
                "start it with --velocity");

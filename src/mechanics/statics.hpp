@@ -41,8 +41,10 @@ struct Rest {
     ContactSet closed = 0;              ///< contacts that push
 };
 
-/// \throws std::invalid_argument if forces move a bar for ever, or there are more than
-/// `mostRestContacts` contacts. O(2^contacts nodes^3).
+/// None if forces move a bar for ever: no pushes give it back its momentum. \throws
+/// std::invalid_argument if there are more than `mostRestContacts` contacts. O(2^contacts nodes^3).
+[[nodiscard]] std::optional<Rest> restUnderForces(const Network& network);
+/// \throws std::invalid_argument where there is none, too.
 [[nodiscard]] Rest restOf(const Network& network);
 
 inline constexpr std::size_t mostRestContacts = 12;

@@ -76,16 +76,15 @@ SolverResult ofProgram(const Program& program, const SolverResult& ofDual)
     result.x.resize(0);
     result.equalityDuals.resize(0);
     result.inequalityDuals.resize(0);
-    switch (ofDual.status) {
-        case SolverStatus::optimal:
-            result.x = -ofDual.equalityDuals;
-            result.equalityDuals = ofDual.x.head(program.equalities.rows());
-            result.inequalityDuals =
-                ofDual.x.segment(program.equalities.rows(), program.inequalities.rows());
-            break;
-        case SolverStatus::unbounded: result.status = SolverStatus::infeasible; break;
-        case SolverStatus::infeasible: result.status = SolverStatus::failed; break;
-        default: break;
+    if (ofDual.status == SolverStatus::optimal) {
+        const Eigen::Index equalities = program.equalities.rows();
+        result.x = -ofDual.equalityDuals;
+        result.equalityDuals = ofDual.x.head(equalities);
+        result.inequalityDuals = ofDual.x.segment(equalities, program.inequalities.rows());
+    } else if (ofDual.status == SolverStatus::unbounded) {
+        result.status = SolverStatus::infeasible;
+    } else if (ofDual.status == SolverStatus::infeasible) {
+        result.status = SolverStatus::failed;
     }
     result.detail += ", of the dual";
     return result;

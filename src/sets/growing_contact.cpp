@@ -94,8 +94,13 @@ void GrowingContact::lengthen(std::int64_t contact)
 {
     const auto members = static_cast<std::size_t>(members_);
     if (contact == members_) {
-        setFree(contact, trainOf(std::vector<double>(members, 1.0)));
-        return;
+        // The same push in all its steps moves nothing, but a bar that drifts.
+        const std::vector<double>& speeds = period_.contacts.front().byPush;
+        const double moved = std::accumulate(speeds.begin(), speeds.end(), 0.0);
+        if (std::abs(moved) <= singular * period_.alone) {
+            setFree(contact, trainOf(std::vector<double>(members, 1.0)));
+            return;
+        }
     }
     if (contact == 1) {
         std::vector<double> push(members, 0.0);

@@ -200,6 +200,24 @@ std::optional<double> growthOfLate(const std::vector<double>& weights, std::size
     return grown ? std::optional(refined(*grown, weights, count)) : std::nullopt;
 }
 
+void takeOffPlace(std::vector<double>& weights, std::span<const double> by)
+{
+    const std::size_t count = by.size();
+    const std::size_t square = count * count;
+    const auto first = static_cast<std::size_t>(
+        std::find_if(by.begin(), by.end(), [](double one) { return one != 0.0; }) - by.begin());
+    for (std::size_t s = weights.size() / square; s-- > 0 && first < count;) {
+        double* now = &weights[s * square];
+        for (std::size_t j = 0; j < count; ++j) {
+            const std::size_t row = first * count + j;
+            for (std::size_t k = first + 1; k < count; ++k) {
+                now[k * count + j] -= by[k] / by[first] * now[row];
+            }
+            now[row] -= s > 0 ? weights[(s - 1) * square + row] : 0.0;
+        }
+    }
+}
+
 std::optional<double> growthOfOrders(bool arePinned,
                                      const std::function<OrderedGrowth(const FrontOrders&)>& growth)
 {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace signorini {
@@ -38,6 +39,11 @@ inline constexpr std::size_t mostTerms = 2000;
 /// count^2) for each.
 [[nodiscard]] std::optional<double> growthOfLate(const std::vector<double>& weights,
                                                  std::size_t terms, std::size_t count);
+
+/// Takes off what late beginnings leave for good of the place of a body that drifts, by which
+/// weights of contact k grow by[k]: from those of later contacts what the first one of that body
+/// has, of which differences count from then on. Growth stays the same, and all weights fade.
+void takeOffPlace(std::vector<double>& weights, std::span<const double> by);
 
 /// The largest growth of all orders, those of releases only where some are pinned; none if that of
 /// one is not known, or they differ.

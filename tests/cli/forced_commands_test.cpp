@@ -658,8 +658,6 @@ TEST_CASE("cli response --exact of several bars: lists of find, and where a simu
          {"response --band 0.1" + bars + force, "response --exact --damping 0.1" + bars + force,
           "response --exact --stability" + bars + force,
           "response --exact --contacts 2 --band 0.1" + bars + force,
-          "response --exact --contacts 2 --gravity 9e-4 --scene '4 dash=0.1 driven stop=1e-3'" +
-              force,
           "response --exact --map m.svg" + bars + force,
           "response --exact --from 1e-4" + bars + force}) {
         const auto outcome = program.run(wrong);
@@ -676,10 +674,23 @@ TEST_CASE("cli response --exact of several bars: lists of find, and where a simu
     for (const json& motion : bouncing["motions"]) {
         CHECK(motion["impulse"].get<double>() == Approx(0.02 * 0.4 * 2.4).epsilon(1e-9));
     }
-    const auto none =
-        program.run("find --period 2 --scene 'stop=-1e-3 4 dash=0.1 driven stop=1e-3'" + force);
+    const std::string flying = " --scene 'stop=-1e-3 8 dash=0.5 driven stop=1e-3'" + force;
+    const auto none = program.run("find --period 2" + flying);
     CHECK(none.status == 1);
     CHECK_THAT(none.out, containsText("balance"));
+    const json both = parsed(program, "find --frequency 0.3 --contacts 2" + flying);
+    REQUIRE(both["motions"].size() == 1);
+    const json& contacts = both["motions"][0]["contacts"];
+    REQUIRE(contacts.size() == 2);
+    CHECK(contacts[0]["contact"] != contacts[1]["contact"]);
+    // Neither a harmonic force nor a dashpot has given it momentum after a period.
+    CHECK(contacts[0]["impulse"].get<double>() ==
+          Approx(contacts[1]["impulse"].get<double>()).epsilon(1e-12));
+    const auto pulled = program.run(
+        "find --period 2 --contacts 2 --scene 'force=-0.1 4 dash=0.1 "
+        "driven stop=1e-3'" +
+        force);
+    CHECK(pulled.status == 1);
 }
 
 TEST_CASE("cli response of several bars in steps: what find says of each schedule", "[glpk]")

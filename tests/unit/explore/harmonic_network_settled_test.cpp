@@ -7,6 +7,7 @@
 
 #include "catch.hpp"
 #include "driven_bar.hpp"
+#include "harmonic_network_contact.hpp"
 #include "harmonic_settled.hpp"
 #include "network_simulation.hpp"
 #include "sanitized.hpp"
@@ -126,7 +127,11 @@ TEST_CASE("settled network: forces in finer and finer steps meet the same contac
     for (const auto& [words, steps, amplitude] :
          {Asked{"clamp 2 3:1.7 dash=0.3 driven stop=1e-3", 57, 3.0},
           Asked{"clamp 3 driven stop=5e-4 2 dash=0.3 gap=1e-3 dash=0.3 2:1.3 clamp", 41, 3.0},
-          Asked{"clamp 3 driven stop=5e-4 2 dash=0.3 gap=1e-3 dash=0.3 2:1.3 clamp", 29, 5.0}}) {
+          Asked{"clamp 3 driven stop=5e-4 2 dash=0.3 gap=1e-3 dash=0.3 2:1.3 clamp", 29, 5.0},
+          // Bars that fly.
+          Asked{"stop=-1e-3 7 dash=0.3 driven stop=1e-3", 47, 2.4},
+          Asked{"stop=-1e-3 5 dash=0.3 driven gap=1e-3 6 dash=0.2 stop=1e-3", 37, 3.34},
+          Asked{"driven dash=0.3 force=0.3 8 stop=0.5", 21, 0.644}}) {
         Assembly assembly;
         assembly.parts = partsOf(words);
         const SettledNetwork found = settledHarmonic(
@@ -147,4 +152,35 @@ TEST_CASE("settled network: forces in finer and finer steps meet the same contac
             }
         }
     }
+}
+
+TEST_CASE("settled network: a ball under its weight settles on a motion of the list of one contact")
+{
+    Assembly assembly;
+    assembly.parts = partsOf("driven dash=0.3 force=0.3 8 stop=0.5");
+    const Network network = networkOf(assembly);
+    std::mt19937 random(3);
+    const auto draw = [&](double least, double most) {
+        return std::uniform_real_distribution<>(least, most)(random);
+    };
+    int compared = 0;
+    for (int i = 0; i < test::drawn(40); ++i) {
+        const auto steps = static_cast<std::int64_t>(draw(11.0, 60.0));
+        const HarmonicNetwork given{network, Excited::tip, std::exp2(draw(-2.0, 2.0)), steps, 1};
+        const SettledNetwork found = settledHarmonic(given, {.cycles = 300});
+        if (!found.motion || found.contacts != 1) {
+            continue;
+        }
+        INFO(steps << ", " << given.amplitude);
+        const auto listed = harmonicContacts(given);
+        const bool isListed = std::any_of(listed.begin(), listed.end(), [&](const auto& other) {
+            return std::abs(other.impulse - found.motion->impulse) <= 1e-9 * other.impulse &&
+                   std::abs(other.first().end - found.motion->first().end) <= 1e-8 &&
+                   std::abs(std::remainder(other.phase - found.motion->phase,
+                                           2.0 * std::numbers::pi)) <= 1e-8;
+        });
+        CHECK(isListed);
+        ++compared;
+    }
+    CHECK(compared >= test::drawn(15));
 }
