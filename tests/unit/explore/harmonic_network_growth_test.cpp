@@ -87,7 +87,7 @@ std::optional<double> growthSeen(const HarmonicNetwork& given, const NetworkHarm
                                  double growth)
 {
     constexpr double together = 1e-4;  // steps, of what fronts leave of one contact
-    constexpr std::size_t mostPeriods = 100;
+    constexpr std::size_t mostPeriods = 150;
     constexpr double most = 1e-2;  // steps, beyond which it meets other contacts
     const bool isGrowing = growth > 1.0;
     double late = isGrowing ? 1e-8 : 1e-4;  // rad
@@ -193,39 +193,29 @@ TEST_CASE("growth of several contacts: a motion with one contact, of two periods
 
 TEST_CASE("growth of several contacts: of a bar that flies, disturbances fade as they are seen to")
 {
-    std::mt19937 random(1);
-    const auto draw = [&](double least, double most) {
-        return std::uniform_real_distribution<>(least, most)(random);
+    struct Asked {
+        const char* words;
+        double amplitude;
+        std::int64_t steps;
     };
-    int compared = 0;
-    int several = 0;
-    for (const char* words :
-         {"stop=-1e-3 11 dash=0.4 driven stop=1e-3", "stop=-1e-3 7 dash=0.2 driven stop=1e-3",
-          "driven dash=0.3 force=0.3 8 stop=0.5",
-          "clamp 3 dash=0.5 driven gap=1e-3 5 dash=0.5 stop=1e-3"}) {
+    for (const auto& [words, amplitude, steps] :
+         {Asked{"stop=-1e-3 7 dash=0.2 driven stop=1e-3", 0.99, 53},
+          Asked{"stop=-1e-3 7 dash=0.2 driven stop=1e-3", 5.5, 47},
+          Asked{"stop=-1e-3 8 dash=0.5 driven stop=1e-3", 2.7, 39},
+          Asked{"stop=-1e-3 11 dash=0.4 driven stop=1e-3", 2.75, 53},
+          Asked{"clamp 3 dash=0.5 driven gap=1e-3 5 dash=0.5 stop=1e-3", 6.9, 33},
+          Asked{"driven dash=0.3 force=0.3 8 stop=0.5", 1.16, 58},
+          Asked{"driven dash=0.3 force=0.05 8 stop=0.5", 0.358, 15}}) {
+        INFO(words << ", n = " << steps << ", " << amplitude);
         Assembly assembly;
         assembly.parts = partsOf(words);
-        const Network network = networkOf(assembly);
-        const auto cells = static_cast<double>(network.cells());
-        for (int i = 0; i < test::drawn(60); ++i) {
-            const auto steps = static_cast<std::int64_t>(draw(1.5, 8.0) * cells);
-            const HarmonicNetwork given{network, Excited::tip, std::exp2(draw(-2.0, 3.0)), steps,
-                                        1};
-            const SettledNetwork found = settledHarmonic(given, {.cycles = 600});
-            if (!found.motion || !found.motion->growth) {
-                continue;
-            }
-            const double growth = *found.motion->growth;
-            INFO(words << ", n = " << steps << ", " << given.amplitude);
-            CHECK(growth < 1.0);  // bars at rest came to it
-            const auto seen = growthSeen(stillOf(given).given, *found.motion, growth);
-            if (seen && growth > 0.55) {  // what fades sooner is seen for a few periods only
-                CHECK(*seen == Approx(growth).margin(0.03));
-                ++compared;
-                several += found.contacts > 1 ? 1 : 0;
-            }
-        }
+        const HarmonicNetwork given{networkOf(assembly), Excited::tip, amplitude, steps, 1};
+        const SettledNetwork found = settledHarmonic(given, {.cycles = 600});
+        REQUIRE(found.motion.has_value());
+        CHECK((found.contacts > 1 || words[0] == 'd'));
+        REQUIRE(found.motion->growth.has_value());
+        const auto seen = growthSeen(stillOf(given).given, *found.motion, *found.motion->growth);
+        REQUIRE(seen.has_value());
+        CHECK(*seen == Approx(*found.motion->growth).margin(5e-3));
     }
-    CHECK(compared >= test::drawn(8));
-    CHECK(several >= test::drawn(4));
 }
