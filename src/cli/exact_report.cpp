@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "printing.hpp"
+#include "response_summary.hpp"
 
 namespace signorini::cli {
 
@@ -22,19 +23,28 @@ std::string countOf(const ExactAnswer& answer, std::size_t least)
     return fmt::format("at {} of {} frequencies", count, answer.frequencies.size());
 }
 
-/// The largest strain of all motions of the list.
-std::string strainText(const ExactAnswer& answer)
+ResponseSummary summaryOf(const ExactAnswer& answer)
 {
-    const auto strainOf = [](const ExactMotion& one) {
-        return std::max(one.motion.extremes.peakCompression, one.motion.extremes.peakTension);
-    };
-    const auto [at, worst] = largestMotion(answer.frequencies, strainOf);
-    if (worst == nullptr) {
-        return {};
+    ResponseSummary summary{{}, "in the list", "the linear response meets a stop",
+                            "", false,         answer.yieldStress};
+    for (auto at = answer.frequencies.rbegin(); at != answer.frequencies.rend(); ++at) {
+        SummedFrequency& here = summary.frequencies.emplace_back(
+            SummedFrequency{.hertz = answers::hertzOf(at->frequencyRatio, answer.bar),
+                            .ratio = at->frequencyRatio,
+                            .mustRattle = at->touches});
+        for (const ExactMotion& one : at->motions) {
+            const Physical seen = physicalOf(one.motion.extremes, answer.bar);
+            const std::size_t count = one.motion.contacts.size();
+            here.motions.push_back(
+                {.force = seen.peakForce,
+                 .impulse = seen.impulse,
+                 .speed = seen.approachSpeed,
+                 .strain = std::max(seen.peakCompression, seen.peakTension),
+                 .stress = seen.peakStress,
+                 .called = count == 1 ? "one contact" : fmt::format("{} contacts", count)});
+        }
     }
-    const Physical seen = physicalOf(worst->motion.extremes, answer.bar);
-    return worstStrainText(std::max(seen.peakCompression, seen.peakTension), seen.peakStress,
-                           answers::hertzOf(at->frequencyRatio, answer.bar), answer.yieldStress);
+    return summary;
 }
 
 }  // namespace
@@ -52,14 +62,10 @@ std::string asText(const ExactAnswer& answer)
     print(text,
           "several     {}: what a bar at rest settles on, where one is not known to attract\n",
           countOf(answer, 2));
-    const auto [at, worst] = largestMotion(
-        answer.frequencies, [](const ExactMotion& one) { return one.motion.extremes.peakForce; });
-    if (worst != nullptr) {
-        print(text, "worst       force {:.6g} N at {:.6g} Hz\n",
-              worst->motion.extremes.peakForce * answers::forceUnit(answer.bar),
-              hertz(at->frequencyRatio));
-    }
-    text.append(strainText(answer));
+    const ResponseSummary summary = summaryOf(answer);
+    summary.addRattles(text, ": the linear response stays clear");
+    summary.addGaps(text);
+    summary.addWorst(text);
     for (const ExactBranch& branch : answer.branches) {
         const auto& points = branch.curve.points;
         const auto [low, high] = std::minmax_element(

@@ -395,15 +395,4 @@ std::string limitText(const answers::HarmonicLimit& limit)
                              : "");
 }
 
-std::string worstStrainText(double strain, const std::optional<double>& stress, double hertz,
-                            std::optional<double> yieldStress)
-{
-    std::string text = fmt::format("strain      at most {:.6g} [-] at {:.6g} Hz\n", strain, hertz);
-    if (stress) {
-        text += fmt::format("stress      at most {:.6g} Pa at {:.6g} Hz{}\n", *stress, hertz,
-                            yieldText(*stress, yieldStress, "in these motions"));
-    }
-    return text;
-}
-
 }  // namespace signorini::cli

@@ -96,25 +96,6 @@ void report(const CommonOptions& common, const auto& answer, std::optional<std::
 /// of it; nothing where neither is known.
 [[nodiscard]] std::string growthText(const std::optional<double>& growth,
                                      const std::optional<bool>& attracts);
-/// Of the motions at all frequencies the first one of which size(motion) is the largest, and where
-/// it is; nullptr: there is none.
-[[nodiscard]] auto largestMotion(const auto& frequencies, auto size)
-{
-    auto at = frequencies.data();
-    decltype(at->motions.data()) largest = nullptr;
-    for (const auto& here : frequencies) {
-        for (const auto& motion : here.motions) {
-            if (largest == nullptr || size(motion) > size(*largest)) {
-                at = &here;
-                largest = &motion;
-            }
-        }
-    }
-    return std::pair(at, largest);
-}
-/// Lines: the largest strain of all motions of a range, and its stress where that is known.
-[[nodiscard]] std::string worstStrainText(double strain, const std::optional<double>& stress,
-                                          double hertz, std::optional<double> yieldStress);
 
 using answers::fractionAsText;
 /// factor T - less with its positive term first; the number alone for factor 0.

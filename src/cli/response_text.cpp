@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 
 #include "reports.hpp"
+#include "response_summary.hpp"
 #include "segments_text.hpp"
 #include "text.hpp"
 
@@ -12,120 +12,52 @@ namespace signorini::cli {
 
 namespace {
 
-using Holds = std::function<bool(const FrequencyResponse&)>;
-
-/// "400 … 410 Hz (0.95 … 0.98 ω₁), 530 Hz (1.26 ω₁) and 2 more"; empty: nowhere.
-std::string where(const ResponseAnswer& answer, const Holds& holds)
-{
-    // Listed with the number of steps ascending, so the highest frequency is the first.
-    const std::vector<FrequencyResponse>& all = answer.frequencies;
-    const auto at = [&all](std::size_t k) -> const auto&
-    {
-        return all[all.size() - 1 - k];
-    };
-    return bandsText(
-        all.size(), [&](std::size_t k) { return holds(at(k)); },
-        [&](std::size_t first, std::size_t last) {
-            const double low = at(first).frequencyRatio;
-            const double high = at(last).frequencyRatio;
-            const auto hertz = [&answer](double ratio) {
-                return answers::hertzOf(ratio, answer.bar);
-            };
-            return first == last ? fmt::format("{:.6g} Hz ({:.4g} ω₁)", hertz(low), low)
-                                 : fmt::format("{:.6g} … {:.6g} Hz ({:.4g} … {:.4g} ω₁)",
-                                               hertz(low), hertz(high), low, high);
-        });
-}
-
 /// The bar without stops would meet one, and does not stay at it: it has to rattle.
 bool mustRattle(const FrequencyResponse& response)
 {
     return response.touches && !response.permanent;
 }
 
-bool canRattle(const FrequencyResponse& response)
+SummedMotion summed(const Physical& seen, const ForcedMotion& motion)
 {
-    return !response.motions.empty() || mustRattle(response);
+    return {.force = seen.peakForce,
+            .impulse = seen.impulse,
+            .speed = seen.approachSpeed,
+            .strain = std::max(seen.peakCompression, seen.peakTension),
+            .stress = seen.peakStress,
+            .called = describe(motion.schedule.phases)};
 }
 
-/// The largest of one number over all motions, and where.
-struct Worst {
-    double value = 0.0;
-    const FrequencyResponse* at = nullptr;
-    const ForcedMotion* motion = nullptr;  ///< none: contact that never opens
-};
-
-void keepLarger(Worst& worst, double value, const FrequencyResponse& at, const ForcedMotion* motion)
-{
-    if (worst.at == nullptr || value > worst.value) {
-        worst = {value, &at, motion};
-    }
-}
-
-void addWorst(const ResponseAnswer& answer, Text& text)
-{
-    Worst force;
-    Worst impulse;
-    Worst speed;
-    Worst stress;
-    Worst strain;
-    const auto keepStrain = [&](const Physical& seen, const FrequencyResponse& at,
-                                const ForcedMotion* motion) {
-        keepLarger(stress, seen.peakStress.value_or(0.0), at, motion);
-        keepLarger(strain, std::max(seen.peakCompression, seen.peakTension), at, motion);
-    };
-    for (const FrequencyResponse& at : answer.frequencies) {
-        if (at.permanent) {
-            keepStrain(physicalOf(at.permanent->extremes, answer.bar), at, nullptr);
-        }
-        for (const ForcedMotion& motion : at.motions) {
-            const Physical physical = physicalOf(motion.extremes, answer.bar);
-            keepLarger(force, physical.peakForce, at, &motion);
-            keepLarger(impulse, physical.impulse, at, &motion);
-            keepLarger(speed, physical.approachSpeed, at, &motion);
-            keepStrain(physical, at, &motion);
-        }
-    }
-    const auto line = [&](const char* label, const Worst& worst, const char* unit,
-                          const std::string& remark = {}) {
-        if (worst.at != nullptr) {
-            print(text, "{:<12}at most {:.6g} {} at {:.6g} Hz, {}{}\n", label, worst.value, unit,
-                  answers::hertzOf(worst.at->frequencyRatio, answer.bar),
-                  worst.motion != nullptr ? describe(worst.motion->schedule.phases)
-                                          : "in contact that never opens",
-                  remark);
-        }
-    };
-    line("force", force, "N");
-    line("impulse", impulse, "N s per period");
-    line("speed", speed, "m/s before an impact");
-    if (!answer.bar.young) {
-        line("strain", strain, "[-]");
-        return;
-    }
-    line("stress", stress, "Pa", yieldText(stress.value, answer.yieldStress, "in these motions"));
-}
-
-/// Frequencies where the list may not be all there is.
-void addGaps(const ResponseAnswer& answer, Text& text)
+ResponseSummary summaryOf(const ResponseAnswer& answer)
 {
     const bool hasOne = answer.range.contacts == 1;
-    const std::string unmet = where(answer, [](const FrequencyResponse& at) {
-        return at.motions.empty() && mustRattle(at) && at.undecided == 0;
-    });
-    if (!unmet.empty()) {
-        print(text, "no motion   with {}, though the linear response meets a stop: {}{}\n",
-              hasOne ? "one contact" : "one or two contacts", unmet,
-              hasOne ? "; see --contacts 2" : "");
+    ResponseSummary summary{{},
+                            hasOne ? "with one contact" : "with one or two contacts",
+                            "the linear response meets a stop",
+                            hasOne ? "; see --contacts 2" : "",
+                            true,
+                            answer.yieldStress};
+    // Listed with the number of steps ascending, so the highest frequency is the first.
+    for (auto at = answer.frequencies.rbegin(); at != answer.frequencies.rend(); ++at) {
+        SummedFrequency& here = summary.frequencies.emplace_back(
+            SummedFrequency{answers::hertzOf(at->frequencyRatio, answer.bar),
+                            at->frequencyRatio,
+                            mustRattle(*at),
+                            at->undecided,
+                            at->detail,
+                            {}});
+        if (at->permanent) {
+            const Physical seen = physicalOf(at->permanent->extremes, answer.bar);
+            here.motions.push_back({.isImpact = false,
+                                    .strain = std::max(seen.peakCompression, seen.peakTension),
+                                    .stress = seen.peakStress,
+                                    .called = "in contact that never opens"});
+        }
+        for (const ForcedMotion& motion : at->motions) {
+            here.motions.push_back(summed(physicalOf(motion.extremes, answer.bar), motion));
+        }
     }
-    if (answer.undecided() > 0) {
-        const auto first =
-            std::find_if(answer.frequencies.begin(), answer.frequencies.end(),
-                         [](const FrequencyResponse& at) { return at.undecided > 0; });
-        print(text, "undecided   {} schedules: {}; the first: {}\n", answer.undecided(),
-              where(answer, [](const FrequencyResponse& at) { return at.undecided > 0; }),
-              first->detail);
-    }
+    return summary;
 }
 
 void addStability(const ResponseAnswer& answer, Text& text)
@@ -148,10 +80,11 @@ void addStability(const ResponseAnswer& answer, Text& text)
           count(Stability::repels), count(Stability::unclear));
 }
 
-void addPermanent(const ResponseAnswer& answer, Text& text)
+void addPermanent(const ResponseAnswer& answer, const ResponseSummary& summary, Text& text)
 {
-    const std::string held =
-        where(answer, [](const FrequencyResponse& at) { return at.permanent.has_value(); });
+    const std::string held = summary.where([](const SummedFrequency& at) {
+        return !at.motions.empty() && !at.motions.front().isImpact;
+    });
     if (held.empty()) {
         return;
     }
@@ -188,22 +121,15 @@ std::string asText(const ResponseAnswer& answer)
     if (!answer.scene.segments.empty()) {
         print(text, "segments    {}\n", textOf(answer.scene.segments));
     }
-    print(text, "asked       {}\n", where(answer, [](const FrequencyResponse&) { return true; }));
-    const std::string all = where(answer, canRattle);
-    const std::string must = where(answer, mustRattle);
-    if (all.empty()) {
-        print(text, "rattles     nowhere{}\n",
-              answer.undecided() > 0 ? " that was decided"
-              : range.stops.right > 0
-                  ? ": the linear response stays clear, and is the only motion found"
-                  : "");
-    } else {
-        print(text, "rattles     can: {}; must, as the linear response meets a stop: {}\n", all,
-              must.empty() ? "nowhere" : must);
-    }
-    addPermanent(answer, text);
-    addGaps(answer, text);
-    addWorst(answer, text);
+    const ResponseSummary summary = summaryOf(answer);
+    print(text, "asked       {}\n", summary.where([](const SummedFrequency&) { return true; }));
+    summary.addRattles(text, answer.undecided() > 0 ? " that was decided"
+                             : range.stops.right > 0
+                                 ? ": the linear response stays clear, and is the only motion found"
+                                 : "");
+    addPermanent(answer, summary, text);
+    summary.addGaps(text);
+    summary.addWorst(text);
     if (answer.motions() > 0) {
         addStability(answer, text);
         print(text, "each motion --csv FILE.csv, --format json, --figure FILE.png\n");

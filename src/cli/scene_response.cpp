@@ -11,6 +11,7 @@
 #include "printing.hpp"
 #include "progress.hpp"
 #include "reports.hpp"
+#include "response_summary.hpp"
 #include "scene_figures.hpp"
 #include "scene_report.hpp"
 #include "scene_response_answer.hpp"
@@ -24,15 +25,47 @@ using answers::SceneFrequency;
 using answers::SceneHarmonicMotion;
 using answers::SceneResponse;
 
-/// The largest strain of all motions, and its stress where that is known.
-std::string strainText(const SceneResponse& answer)
+/// "contact 1", "contacts 1, 2".
+std::string contactsOf(const SceneHarmonicMotion& motion)
 {
-    const auto [at, worst] =
-        largestMotion(answer.frequencies,
-                      [](const SceneHarmonicMotion& motion) { return motion.strains.largest(); });
-    return worst != nullptr ? worstStrainText(worst->strains.largest(), worst->strains.stress,
-                                              at->hertz, answer.yieldStress)
-                            : std::string();
+    std::string numbers;
+    for (const NetworkHarmonicContact& one : motion.value.contacts) {
+        numbers += fmt::format("{}{}", numbers.empty() ? "" : ", ", one.contact + 1);
+    }
+    return (motion.value.contacts.size() == 1 ? "contact " : "contacts ") + numbers;
+}
+
+ResponseSummary summaryOf(const SceneResponse& answer)
+{
+    const answers::SceneRange& range = answer.range;
+    const bool hasOne = range.contacts == 1;
+    ResponseSummary summary{{},
+                            hasOne ? "with one contact" : "with one or two contacts",
+                            "the linear response closes a contact",
+                            range.isExact ? "; computed, not proved"
+                            : hasOne      ? "; see --contacts 2"
+                                          : "",
+                            false,
+                            answer.yieldStress};
+    const NetworkScales& scales = answer.scales;
+    for (auto at = answer.frequencies.rbegin(); at != answer.frequencies.rend(); ++at) {
+        SummedFrequency& here = summary.frequencies.emplace_back(
+            SummedFrequency{at->hertz,
+                            at->ratio,
+                            at->touches() && at->distance.has_value(),
+                            std::max<std::int64_t>(at->undecided, at->reason ? 1 : 0),
+                            at->reason.value_or(""),
+                            {}});
+        for (const SceneHarmonicMotion& motion : at->motions) {
+            here.motions.push_back({.force = motion.value.peakForce * scales.force(),
+                                    .impulse = motion.value.impulse * scales.force() * scales.time,
+                                    .speed = motion.value.speed * scales.velocity(),
+                                    .strain = motion.strains.largest(),
+                                    .stress = motion.strains.stress,
+                                    .called = contactsOf(motion)});
+        }
+    }
+    return summary;
 }
 
 /// How many motions attract, where that is known of any.
@@ -88,43 +121,23 @@ std::string pairsText(const SceneResponse& answer)
 std::string asText(const SceneResponse& answer)
 {
     const answers::SceneRange& range = answer.range;
-    const auto count = [&answer](auto holds) {
-        return std::count_if(answer.frequencies.begin(), answer.frequencies.end(), holds);
-    };
     std::string text = fmt::format(
         "{:<12}{} of amplitude {:.6g} {}, {}, {:.6g} … {:.6g} Hz\n", name(answer.status()),
         range.place == Excited::tip ? "force on what is driven" : "moving base", range.amplitude,
         amplitudeUnitName(range.place, range.derivative),
         range.isExact ? "an exact harmonic" : "a harmonic in steps", range.leastHertz,
         range.mostHertz);
-    const char* contacts = range.contacts > 1 ? "one or two contacts" : "one contact";
-    text += fmt::format("{} at {} of {} frequencies\n", contacts,
-                        count([](const SceneFrequency& at) { return !at.motions.empty(); }),
+    text += fmt::format("{} at {} of {} frequencies\n",
+                        range.contacts > 1 ? "one or two contacts" : "one contact",
+                        std::count_if(answer.frequencies.begin(), answer.frequencies.end(),
+                                      [](const SceneFrequency& at) { return !at.motions.empty(); }),
                         answer.frequencies.size());
-    text += fmt::format(
-        "apart       at {} bars do not meet; at {} they would touch, and no motion with "
-        "{} is known{}\n",
-        count([](const SceneFrequency& at) { return !at.reason && !at.touches(); }),
-        count([](const SceneFrequency& at) {
-            return at.motions.empty() && (at.reason || at.touches());
-        }),
-        contacts, range.isExact ? ": computed, not proved" : "");
-    text += pairsText(answer);
-    const auto [worstAt, worst] =
-        largestMotion(answer.frequencies,
-                      [](const SceneHarmonicMotion& motion) { return motion.value.peakForce; });
-    if (worst != nullptr) {
-        text += fmt::format("worst       force {:.6g} N at contact {}, at {:.6g} Hz\n",
-                            worst->value.peakForce * answer.scales.force(),
-                            worst->value.first().contact + 1, worstAt->hertz);
-    }
-    text += strainText(answer) + stabilityText(answer);
-    const auto open = std::find_if(answer.frequencies.begin(), answer.frequencies.end(),
-                                   [](const SceneFrequency& at) { return at.reason; });
-    if (open != answer.frequencies.end()) {
-        text += fmt::format("why         {:.6g} Hz: {}\n", open->hertz, *open->reason);
-    }
-    return text;
+    const ResponseSummary summary = summaryOf(answer);
+    Text lines;
+    summary.addRattles(lines, ": the linear response stays clear");
+    summary.addGaps(lines);
+    summary.addWorst(lines);
+    return text + pairsText(answer) + fmt::to_string(lines) + stabilityText(answer);
 }
 
 void writeSceneResponseCsv(const std::string& path, const SceneResponse& answer)
