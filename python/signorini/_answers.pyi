@@ -867,6 +867,7 @@ class ExactResponse(_Found, _Framed, _Drawn, _OfScene, _Excited):
     branches: list[Branch]
 
 class Drive(_Record):
+    complete: bool
     force: Literal["tip", "base"]
     amplitude: float
     frequency_ratio: float

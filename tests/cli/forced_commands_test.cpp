@@ -580,6 +580,7 @@ TEST_CASE("cli response --exact: curves, and beside them what a staircase has")
         "response --exact --cells 10 --damping 0.05 --force tip --amplitude 4e-4 --from 0.9 --to "
         "1.3";
     const json answer = parsed(program, asked);
+    CHECK(answer["complete"] == true);
     REQUIRE(answer["branches"].size() > 0);
     for (const json& branch : answer["branches"]) {
         for (const json& mark : branch["marks"]) {
@@ -613,6 +614,21 @@ TEST_CASE("cli response --exact: curves, and beside them what a staircase has")
         CHECK(outcome.status == 2);
         CHECK(lines(outcome.err) == 1);
     }
+}
+
+TEST_CASE("cli response --exact: a list that was interrupted says so")
+{
+    const CommandLine program;
+    const std::string asked =
+        "response --exact --cells 300 --damping 0.02 --force tip --amplitude 2e-4 ";
+    const auto json = nlohmann::json::parse(
+        program.run(asked + "--format json --csv e.csv", "timeout -s INT 0.6").out);
+    CHECK(json["status"] == "undecided");
+    CHECK(json["complete"] == false);
+    CHECK(program.files() == 0);
+    const auto text = program.run(asked, "timeout -s INT 0.6");
+    CHECK_THAT(text.err, containsText("interrupted"));
+    CHECK_THAT(text.out, containsText("interrupted") && !containsText("all of them"));
 }
 
 TEST_CASE("cli response --exact of several bars: lists of find, and where a simulation settles")
