@@ -39,11 +39,11 @@ class StabilityTrial(TypedDict):
 
 class QuestionPart(TypedDict):
     asked: AskedWords
-    steps: int
+    steps: NotRequired[int]
     period: float
     period_ratio: float
     frequency: float
-    frequency_ratio: float
+    frequency_ratio: NotRequired[float]
     energy: Optional[float]
     energy_ratio: Optional[float]
     nearest: NotRequired[float]
@@ -636,6 +636,7 @@ class SceneHarmonicMotion(_Record):
     amplitude: Optional[float]
 
 class SceneHarmonicResult(_Found, _Framed, _MovingEach, _OfBars, _Excited):
+    question: QuestionPart
     contacts_in_period: int
     amplitude: float
     steps: int
@@ -653,6 +654,7 @@ class SceneQuestion(_Found, _Framed, _OfBars):
     steps: int
     period: float
     frequency: float
+    question: QuestionPart
     strain_limit: Optional[float]
     sets: list[SceneSet]
     motions: list[SceneResult]
@@ -769,6 +771,7 @@ class SceneSimulation(_OfBars, _Followed):
 
 class HarmonicResult(_Found, _Framed, _MovingEach, _OfScene, _InPeriod, _Excited):
     contacts: int
+    question: QuestionPart
     damping: Damping
     amplitude: float
     exact_period: tuple[int, int]
