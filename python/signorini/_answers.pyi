@@ -742,6 +742,7 @@ class SceneForcedResult(_Found, _Framed, _MovingEach, _OfBars, _Excited):
     free_waves: int
     amplitude_range: Optional[Bounds]
     contacts: list[SceneContact]
+    phase: Optional[float]
     motions: list[SceneForcedMotion]
     certificate: Optional[SceneForcedProof]
     detail: str
@@ -770,8 +771,8 @@ class SceneSimulation(_OfBars, _Followed):
     contact_number: list[int]
 
 class HarmonicResult(_Found, _Framed, _MovingEach, _OfScene, _InPeriod, _Excited):
-    contacts: int
     question: QuestionPart
+    contacts: int
     damping: Damping
     amplitude: float
     exact_period: tuple[int, int]
@@ -866,11 +867,11 @@ class ExactResponse(_Found, _Framed, _Drawn, _OfScene, _Excited):
     cells: int
     damping: Damping
     amplitude: float
+    complete: bool
     frequencies: list[ExactFrequency]
     branches: list[Branch]
 
 class Drive(_Record):
-    complete: bool
     force: Literal["tip", "base"]
     amplitude: float
     frequency_ratio: float

@@ -460,6 +460,8 @@ TEST_CASE("cli scenes: forced motions of bars that meet, the least amplitude and
     }
     const json none =
         program.find(bars + fmt::format("--amplitude {} --certificate c.json", 0.5 * amplitude), 1);
+    CHECK(least["amplitude"] == least["motions"][0]["amplitude"]);
+    CHECK(least["phase"] == least["motions"][0]["phase"]);
     CHECK(none["certificate"]["kind"] == "amplitude-range");
     CHECK(json::parse(contentOf(program.file("c.json"))) == none);
 }
