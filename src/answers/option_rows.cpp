@@ -371,7 +371,7 @@ std::vector<Option> ofAll()
         positive("--diameter", all, "M", "m", "of a round bar, in place of --area", "", "area"),
         choice("--format", all | study, "text|json", "text or json", "text"),
         flag("--quiet", all | study, "nothing on stderr but errors"),
-        flag("--verbose", all,
+        flag("--verbose", all | study,
              "in text, also by which route an answer was found and what that left out"),
         whole("--threads", all | study, "K", 1, 1024, "most threads to use", "1"),
         file("--progress", all | study, "write how far long work has come, a line each second",

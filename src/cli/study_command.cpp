@@ -85,8 +85,11 @@ StudyAnswer answerOf(const Given& given, const StudyQuestion& question, const De
         .deal = deal,
         .show = [&progress](double done, double total) { progress.show(done, total); }};
     StudyAnswer answer;
-    answer.place = question.cases.front().sweep.range.place;
-    answer.derivative = question.cases.front().sweep.range.derivative;
+    const answers::SweepAnswer& first = question.cases.front().sweep;
+    answer.scene = first.scene;
+    answer.cells = static_cast<std::int64_t>(first.range.cells);
+    answer.place = first.range.place;
+    answer.derivative = first.range.derivative;
     answer.points = answers::studyPointsOf(
         csvFile.empty() ? tabulated(table)
                         : forFile("--csv", csvFile, [&] { return tabulated(table); }));
@@ -141,7 +144,8 @@ ExitStatus runStudy(const Given& given)
         tell(fmt::format("signorini study: interrupted; the list is not complete{}\n",
                          csvFile.empty() ? "" : "; the same call with --resume continues"));
     }
-    writeOut(given.text("--format") == "json" ? asLine(wholeJsonOf(answer)) : asText(answer));
+    writeOut(given.text("--format") == "json" ? asLine(wholeJsonOf(answer))
+                                              : question.restated + asText(answer));
     return exitStatusOf(answer.status());
 }
 
