@@ -47,8 +47,11 @@ RowOf rowsOf(const StudyQuestion& question, const Cancel& cancel)
 std::string asText(const StudyAnswer& answer)
 {
     Text text;
-    print(text, "{} sweeps of frequency, {}{}\n", answer.points.size(),
+    const bool areSeveral =
+        !answer.points.empty() && answer.points.front().gap != answer.points.back().gap;
+    print(text, "{} sweeps of frequency, {}{}{}\n", answer.points.size(),
           answer.place == Excited::tip ? "force on the tip" : "base moving",
+          areSeveral ? "; of several gaps, g and E₁ above are of the first" : "",
           answer.isComplete ? "" : ": interrupted, the list is not complete");
     const std::string unit = amplitudeUnitName(answer.place, answer.derivative);
     print(text, "{:>12} {:>9} {:>12} {:>12} {:>10} {:>12} {:>12}  {}\n", "gap [m]", "damping",

@@ -155,7 +155,8 @@ TEST_CASE("cli study: each row is the worst of a sweep, and a list may grow")
     CHECK(first["bar"]["gap"] == 1e-4);
     const auto words = program.run("study q.toml --csv s.csv --resume --verbose");
     CHECK(words.status == 0);
-    CHECK_THAT(words.out, Catch::StartsWith("bar         N = 20, L = 1 m, c = 5172"));
+    CHECK_THAT(words.out, Catch::StartsWith("bar         N = 20, L = 1 m, c = 5172") &&
+                              containsText("g and E₁ above are of the first"));
     const json& point = first["points"][1];  // gap slowest, amplitude fastest
     CHECK(point["gap"] == 1e-4);
     CHECK(point["damping"] == 0.1);
