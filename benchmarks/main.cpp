@@ -133,6 +133,10 @@ int runProgram(int argc, char** argv)
                    "only cases whose suite/case/back end/formulation/setting match this "
                    "regular expression");
     app.add_flag("--report-only", arguments.isReportOnly, "measure nothing, make the report again");
+    app.set_version_flag("--version", [] {
+        const std::string text = versionText();
+        return text.substr(0, text.size() - 1);  // a line end follows it
+    });
     try {
         app.parse(argc, argv);
         (void)std::regex(arguments.filter);

@@ -82,7 +82,7 @@ DEMANDS = {
 #: Bars of one segment, whose unknowns are others.
 UNIFORM = ("one stop", "two stops", "pressed")
 #: Options that are the question, the scene or the way of printing.
-OTHERS = set("""--help --period --frequency --hertz --from --to --direction --damping --force --amplitude
+OTHERS = set("""--help --version --period --frequency --hertz --from --to --direction --damping --force --amplitude
     --amplitude-velocity --amplitude-acceleration --phase --from-hertz --to-hertz --exact --over --rest --time
     --periods --force-file --force-range --velocity --max-order --max-period --database --max-contact --max-free
     --resume --near --twins --scene --cells --length --wave-speed --axial-stiffness --gap --second-stop --segments

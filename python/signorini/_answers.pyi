@@ -39,11 +39,11 @@ class StabilityTrial(TypedDict):
 
 class QuestionPart(TypedDict):
     asked: AskedWords
-    steps: int
+    steps: NotRequired[int]
     period: float
     period_ratio: float
     frequency: float
-    frequency_ratio: float
+    frequency_ratio: NotRequired[float]
     energy: Optional[float]
     energy_ratio: Optional[float]
     nearest: NotRequired[float]
@@ -636,6 +636,7 @@ class SceneHarmonicMotion(_Record):
     amplitude: Optional[float]
 
 class SceneHarmonicResult(_Found, _Framed, _MovingEach, _OfBars, _Excited):
+    question: QuestionPart
     contacts_in_period: int
     amplitude: float
     steps: int
@@ -653,6 +654,7 @@ class SceneQuestion(_Found, _Framed, _OfBars):
     steps: int
     period: float
     frequency: float
+    question: QuestionPart
     strain_limit: Optional[float]
     sets: list[SceneSet]
     motions: list[SceneResult]
@@ -740,6 +742,7 @@ class SceneForcedResult(_Found, _Framed, _MovingEach, _OfBars, _Excited):
     free_waves: int
     amplitude_range: Optional[Bounds]
     contacts: list[SceneContact]
+    phase: Optional[float]
     motions: list[SceneForcedMotion]
     certificate: Optional[SceneForcedProof]
     detail: str
@@ -768,6 +771,7 @@ class SceneSimulation(_OfBars, _Followed):
     contact_number: list[int]
 
 class HarmonicResult(_Found, _Framed, _MovingEach, _OfScene, _InPeriod, _Excited):
+    question: QuestionPart
     contacts: int
     damping: Damping
     amplitude: float
@@ -863,6 +867,7 @@ class ExactResponse(_Found, _Framed, _Drawn, _OfScene, _Excited):
     cells: int
     damping: Damping
     amplitude: float
+    complete: bool
     frequencies: list[ExactFrequency]
     branches: list[Branch]
 

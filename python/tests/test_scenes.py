@@ -415,7 +415,7 @@ def test_bars_that_meet_under_an_exact_harmonic() -> None:
     # 1.35451e-3 N s: what `simulate --rest` settles on, on ten times as many cells.
     assert motion.impulse == pytest.approx(1.35451e-3, rel=1e-5)
     again = sg.find(scene=BARS, frequency=found.frequency_ratio, force="tip", amplitude=2e-3)
-    assert again == found
+    assert again.motions == found.motions
     limited = sg.find(scene=BARS, hertz=0.5, force="tip", amplitude=2e-3, strain_limit=1e-6)
     assert limited.status == "undecided" and not limited.motions and limited.beyond_limit == 1
     with pytest.raises(ValueError, match="energy"):

@@ -150,14 +150,32 @@ std::string fractionAsText(const ExactPeriod& fraction)
                : fmt::format("{}/{}", fraction.numerator, fraction.denominator);
 }
 
+std::string QuestionPart::nearest() const
+{
+    if (!asked.isRounded) {
+        return {};
+    }
+    const bool isHertz = asked.option == "hertz";
+    return fmt::format("; asked {} {}, nearest on this grid {:.10g} {}", asked.word,
+                       isHertz ? "Hz" : "ω₁", isHertz ? frequency : frequencyRatio.value(),
+                       isHertz ? "Hz" : "ω₁");
+}
+
+AskedPeriod askedAs(const std::string& option, const std::string& word)
+{
+    return {option.substr(option.find_first_not_of('-')), word};
+}
+
 AskedPeriod periodOnGrid(const std::string& option, const std::string& word, std::int64_t cells,
                          const Bar& bar)
 {
-    const std::string plain = option.substr(option.find_first_not_of('-'));
-    if (plain == "hertz") {
-        return {plain, word, stepsNearest(option, parsePositive(option, word, "Hz"), cells, bar)};
+    AskedPeriod asked = askedAs(option, word);
+    asked.isRounded = asked.option == "hertz";
+    if (asked.isRounded) {
+        asked.steps = stepsNearest(option, parsePositive(option, word, "Hz"), cells, bar);
+        return asked;
     }
-    const bool isFrequency = plain == "frequency";
+    const bool isFrequency = asked.option == "frequency";
     GivenNumber period = parseNumber(option, word, isFrequency ? "ω₁" : "L/c");
     if (isFrequency) {
         period = {4.0 / period.value,
@@ -172,7 +190,8 @@ AskedPeriod periodOnGrid(const std::string& option, const std::string& word, std
     if (!(std::abs(grid - period.value) <= 4e-16 * grid)) {
         refuseOffGrid(option, word, period, steps, cells, isFrequency);
     }
-    return {plain, word, steps};
+    asked.steps = steps;
+    return asked;
 }
 
 ExactPeriod periodExactly(const std::string& option, const std::string& word, std::int64_t cells,

@@ -69,6 +69,7 @@ struct AtlasAnswer {
     std::optional<Assembly> bars = {};  ///< in its place
     AtlasUnits units = {};
     std::optional<AtlasPoint> near = {};
+    std::optional<ExactPeriod> period = {};  ///< [L/c], asked about
     std::optional<std::vector<TwinsOf>> twins = {};
     std::optional<std::vector<AtlasFamilyOf>> families = {};
     std::optional<std::vector<AtlasEntryOf>> schedules = {};
@@ -343,6 +344,8 @@ void describe(D& d, Type<AtlasAnswer>)
     d.key("bar", "-", "What units mean.", &T::bar, When::any);
     d.key("scene", "-", "In its place, of bars in a row.", &T::bars, When::any);
     d.key("near", "-", "The point asked about.", &T::near, When::any);
+    d.key("exact_period", "L/c", "c T/L as a fraction, that was asked about.", &T::period,
+          When::any);
     d.key("twins", "-", "Groups of different orbits.", &T::twins, When::any);
     d.key("families", "-", "Sets of orbits.", &T::families, When::any);
     d.key("schedules", "-", "Those of no family; with --schedules all.", &T::schedules, When::any);

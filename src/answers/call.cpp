@@ -49,6 +49,9 @@ std::pair<std::string, std::string> Call::period() const
     }
     if (const auto hertz = number("--hertz")) {
         asked.second = fmt::format("{}", *hertz);
+    } else if (const auto& [option, word] = asked;
+               option == called("--frequency") && word.ends_with("Hz")) {
+        asked = {called("--hertz"), fmt::format("{}", parsePositive(option, word, "Hz"))};
     }
     return asked;
 }

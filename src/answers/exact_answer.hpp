@@ -113,6 +113,7 @@ void describe(auto& d, Type<ExactAnswer>)
     d.key("cycles", "- >= 1", "K, of the excitation in a period.", range(&ResponseRange::cycles));
     d.key("yield_stress", "Pa > 0", "The stress is compared with it.", &T::yieldStress,
           When::program);
+    d.key("complete", "-", "Or interrupted?", &T::isComplete);
     d.key("frequencies", "-", "By ascending steps.",
           [](const T& a) { return withUnits(a.frequencies, a.bar); });
     d.key("branches", "-", "Curves of motions.",

@@ -19,10 +19,14 @@ Question<HarmonicAnswer> harmonicAsked(const Call& call, const Scene& scene, std
     const double frequencyRatio = 4.0 * static_cast<double>(cycles) / period.value();
     const ForceOptions displaced = force.at(frequencyRatio * firstHertz(scene.bar));
     (void)displaced.scaledAmplitude(scene.bar);
+    AskedPeriod asked = askedAs(option, word);
+    asked.isRounded = asked.option == "hertz";
     return [=, contacts = call.whole("--contacts").value_or(1),
             limit = call.number("--strain-limit")](const Watch& watch) {
-        return within(limit, answerOf(period, force.damping(), *force.place, cycles,
-                                      *displaced.amplitude, scene, contacts, watch.cancel));
+        HarmonicAnswer answer = answerOf(period, force.damping(), *force.place, cycles,
+                                         *displaced.amplitude, scene, contacts, watch.cancel);
+        answer.asked = asked;
+        return within(limit, std::move(answer));
     };
 }
 
@@ -92,6 +96,12 @@ Harmonic HarmonicAnswer::excitation() const
 HarmonicCase HarmonicAnswer::given() const
 {
     return harmonicCase(damping, excitation(), stopsOf(scene));
+}
+
+QuestionPart HarmonicAnswer::question() const
+{
+    return {asked, period.value() * scales(bar).time, period.value(),
+            frequencyRatio() * firstHertz(bar), frequencyRatio()};
 }
 
 std::optional<double> HarmonicAnswer::completeFrom() const

@@ -78,6 +78,7 @@ struct HarmonicAnswer {
 
     HarmonicCompleteness all = {};  ///< of motions with one contact
     HarmonicLimit limit = {};
+    AskedPeriod asked = {};
 
     /// Found, or none if that is proved; which strains motions have is computed.
     [[nodiscard]] Status status() const
@@ -91,6 +92,7 @@ struct HarmonicAnswer {
     {
         return 4.0 * static_cast<double>(cycles) / period.value();
     }
+    [[nodiscard]] QuestionPart question() const;
     /// [s], of `all`.
     [[nodiscard]] std::optional<double> completeFrom() const;
     [[nodiscard]] std::optional<std::string> detail() const;
@@ -177,6 +179,7 @@ void describe(auto& d, Type<HarmonicAnswer>)
         "All motions with one contact in a period, under an exact harmonic; of several contacts "
         "that on which a bar at rest settles.");
     d.key("status", "-", R"("found", "none", or "undecided".)", &T::status);
+    describeQuestion(d, &T::question);
     d.key("contacts", "- >= 1", "In a period.", &T::contacts);
     d.key("damping", "-", "A dashpot.", [](const T& a) { return Of<Damping>{a.damping, a.bar}; });
     d.key("force", "-", "What is excited.", &T::place);

@@ -33,6 +33,17 @@ std::optional<std::string> QuestionAnswer::detail() const
                              "this grid meets the demands";
 }
 
+QuestionPart QuestionAnswer::question() const
+{
+    return {asked,
+            seconds(),
+            signorini::period(period),
+            1.0 / seconds(),
+            frequencyRatio(period),
+            energyRatio ? std::optional(*energyRatio * scales(bar).energy) : std::nullopt,
+            energyRatio};
+}
+
 QuestionAnswer questionOf(const AskedPeriod& asked, std::int64_t cells, const FindOptions& options)
 {
     return {asked, {cells, {{1, asked.steps - 1}}}, options.scene.bar, options.energyRatio, {}};

@@ -20,6 +20,7 @@ struct QuestionAnswer {
 
     /// [s]
     [[nodiscard]] double seconds() const { return signorini::period(period) * scales(bar).time; }
+    [[nodiscard]] QuestionPart question() const;
     /// Found: at least one motion; undecided: none, and some set undecided; none: proved of every
     /// set.
     [[nodiscard]] Status status() const;
@@ -33,61 +34,11 @@ struct QuestionAnswer {
 [[nodiscard]] QuestionAnswer questionOf(const AskedPeriod& asked, std::int64_t cells,
                                         const FindOptions& options);
 
-/// The words of a question.
-struct AskedWords {
-    static constexpr bool isDictionary = true;
-    const AskedPeriod& asked;
-
-    [[nodiscard]] std::optional<std::string> of(std::string_view option) const
-    {
-        return asked.option == option ? std::optional(asked.word) : std::nullopt;
-    }
-};
-
-/// A question, and a set of motions that answers it, seen in what holds them.
-struct QuestionPart {
-    static constexpr bool isDictionary = true;
-    const QuestionAnswer& of;
-};
+/// A set of motions that answers a question, seen in what holds it.
 struct SetPart {
     static constexpr bool isDictionary = true;
     const FindAnswer& of;
 };
-
-void describe(auto& d, Type<AskedWords>)
-{
-    d.record("AskedWords", "A period as it was asked for.");
-    for (const char* option : {"period", "frequency", "hertz"}) {
-        d.key(
-            option, "-", "As given.", [option](const AskedWords& w) { return w.of(option); },
-            When::any);
-    }
-}
-
-void describe(auto& d, Type<QuestionPart>)
-{
-    using T = QuestionPart;
-    d.record("QuestionPart", "What was asked, on the grid.");
-    d.key("asked", "-", "As given.", [](const T& q) { return AskedWords{q.of.asked}; });
-    d.key("steps", "- >= 2", "n.", [](const T& q) { return q.of.asked.steps; });
-    d.key("period", "s > 0", "T.", [](const T& q) { return q.of.seconds(); });
-    d.key("period_ratio", "L/c > 0", "c T/L.", [](const T& q) { return period(q.of.period); });
-    d.key("frequency", "Hz > 0", "1/T.", [](const T& q) { return 1.0 / q.of.seconds(); });
-    d.key("frequency_ratio", "- > 0", "omega/omega_1.",
-          [](const T& q) { return frequencyRatio(q.of.period); });
-    d.key("energy", "J > 0", "To hold.", [](const T& q) {
-        const auto& ratio = q.of.energyRatio;
-        return ratio ? std::optional(*ratio * scales(q.of.bar).energy) : std::nullopt;
-    });
-    d.key("energy_ratio", "E_1 > 0", "To hold.", [](const T& q) { return q.of.energyRatio; });
-    d.key(
-        "nearest", "Hz > 0", "Frequency of this grid, where it was asked for in Hz.",
-        [](const T& q) {
-            const bool isRounded = q.of.asked.option == "hertz";
-            return isRounded ? std::optional(1.0 / q.of.seconds()) : std::nullopt;
-        },
-        When::any);
-}
 
 void describe(auto& d, Type<SetPart>)
 {
@@ -109,7 +60,7 @@ void describe(auto& d, Type<QuestionAnswer>)
     d.key("bar", "-", "Asked about.", &T::bar);
     d.key("status", "-", R"("found", "none" or "undecided".)", &T::status);
     d.key("cells", "- >= 1", "N.", [](const T& q) { return q.period.cells; });
-    d.key("question", "-", "On the grid.", [](const T& q) { return QuestionPart{q}; });
+    describeQuestion(d, &T::question);
     d.key("sets", "-", "Every set of motions with one contact in this period.", [](const T& q) {
         std::vector<SetPart> sets;
         for (const FindAnswer& answer : q.answers) {

@@ -45,6 +45,11 @@ struct SceneForcedAnswer {
     {
         return motions.at(which).claim;
     }
+    /// [N] or [m], of the last motion, or asked for.
+    [[nodiscard]] std::optional<double> amplitude() const
+    {
+        return motions.empty() ? asked : std::optional(motions.back().amplitude);
+    }
     /// Of the excitation [Hz].
     [[nodiscard]] double frequency() const
     {
@@ -96,7 +101,7 @@ void describe(auto& d, Type<SceneForcedAnswer>)
           forcing(&Forcing::place));
     d.key("cycles", "- >= 1", "Of the excitation in a period.", forcing(&Forcing::cycles));
     d.key("frequency", "Hz > 0", "Of the excitation.", &T::frequency);
-    d.key("amplitude", "N or m > 0", "Asked for.", &T::asked);
+    d.key("amplitude", "N or m >= 0", "Of the last motion, or asked for.", &T::amplitude);
     describeStrainLimit(d, &T::schedule);
     d.key("kind", "-", "What motions leave of the plane of excitations.", &T::kind);
     d.key("free_waves", "- >= 0", "That nothing damps.", &T::freeWaves);
@@ -107,6 +112,9 @@ void describe(auto& d, Type<SceneForcedAnswer>)
           });
     d.key("contacts", "-", "[dict, ...], of the bars.",
           [](const T& a) { return a.schedule.bars.contacts; });
+    d.key("phase", "rad", "Of the last motion.", [](const T& a) {
+        return a.motions.empty() ? std::nullopt : std::optional(a.motions.back().phase);
+    });
     d.key("motions", "-", "The one of least amplitude, or those of the amplitude asked for.",
           &T::motions);
     d.key("certificate", "-", "Of none.", &T::cuts);

@@ -11,7 +11,7 @@
 
 namespace signorini::answers {
 
-std::int64_t stepsAsked(const Call& call, const Assembly& assembly, std::int64_t cycles)
+AskedPeriod askedOfBars(const Call& call, const Assembly& assembly, std::int64_t cycles)
 {
     const Network network = networkOf(assembly);
     const double second = 1.0 / network.scales.time;
@@ -19,9 +19,10 @@ std::int64_t stepsAsked(const Call& call, const Assembly& assembly, std::int64_t
     const double first = firstHertz(referenceOf(network));
     const auto periods = static_cast<double>(cycles);
     const auto [option, word] = call.period();
-    const bool isPeriod = option.ends_with("period");
-    const bool isHertz = option.ends_with("hertz");
-    const std::string name = isPeriod ? "period" : isHertz ? "hertz" : "frequency";
+    AskedPeriod asked = askedAs(option, word);
+    const std::string& name = asked.option;
+    const bool isPeriod = name == "period";
+    const bool isHertz = name == "hertz";
     const double value = isHertz ? parsePositive(option, word, "Hz")
                                  : parseNumber(option, word, isPeriod ? "L/c" : "ω₁").value;
     const double wanted = isPeriod  ? value * crossing
@@ -45,7 +46,9 @@ std::int64_t stepsAsked(const Call& call, const Assembly& assembly, std::int64_t
                              : steps);
     }
     faults.throwIfAny();
-    return static_cast<std::int64_t>(nearest);
+    asked.steps = static_cast<std::int64_t>(nearest);
+    asked.isRounded = !isPeriod;
+    return asked;
 }
 
 namespace {
@@ -69,10 +72,13 @@ Question<SceneHarmonicAnswer> harmonicAsked(const Call& call, const Assembly& as
     force.requireAmplitude();
     const std::int64_t contacts = call.whole("--contacts").value_or(1);
     const std::int64_t cycles = call.whole("--cycles").value_or(1);
-    return [=, steps = stepsAsked(call, assembly, cycles),
+    return [=, asked = askedOfBars(call, assembly, cycles),
             limit = call.number("--strain-limit")](const Watch& watch) {
-        return within(limit, answerOf(assembly, *force.place, cycles, steps, *force.amplitude,
-                                      force.derivative, contacts, watch.cancel));
+        SceneHarmonicAnswer answer =
+            answerOf(assembly, *force.place, cycles, asked.steps, *force.amplitude,
+                     force.derivative, contacts, watch.cancel);
+        answer.asked = asked;
+        return within(limit, std::move(answer));
     };
 }
 
@@ -151,9 +157,9 @@ HarmonicNetwork SceneHarmonicAnswer::given() const
 void SceneHarmonicAnswer::watch(std::size_t motion, const HarmonicWatch& by) const
 {
     NetworkHarmonicMotion one = motions.at(motion).value;
-    HarmonicNetwork asked = given();
-    const StillNetwork still = underConstantForces(asked.network);
-    asked.network = still.network;
+    HarmonicNetwork driven = given();
+    const StillNetwork still = underConstantForces(driven.network);
+    driven.network = still.network;
     HarmonicWatch seeing = by;
     if (by.state) {
         seeing.state = [&](std::int64_t step, NetworkStart now) {
@@ -161,13 +167,19 @@ void SceneHarmonicAnswer::watch(std::size_t motion, const HarmonicWatch& by) con
             by.state(step, now);
         };
     }
-    measure(asked, one, seeing);
+    measure(driven, one, seeing);
 }
 
 std::optional<double> SceneHarmonicAnswer::frequencyRatio() const
 {
     const double first = bars.reference.frequency;
     return first > 0.0 ? std::optional(2.0 * std::numbers::pi * frequency() / first) : std::nullopt;
+}
+
+QuestionPart SceneHarmonicAnswer::question() const
+{
+    return {asked, period(), period() * bars.assembly.waveSpeed / bars.assembly.length, frequency(),
+            frequencyRatio()};
 }
 
 std::optional<std::string> SceneHarmonicAnswer::detail() const

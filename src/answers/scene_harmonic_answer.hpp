@@ -8,10 +8,10 @@
 
 namespace signorini::answers {
 
-/// Steps of the period that a call asks of bars, in which an excitation goes through so many
-/// cycles: whole for a period, the nearest for a frequency [omega_1 of these bars]. \throws
+/// The period that a call asks of bars, in which an excitation goes through so many cycles: whole
+/// steps for a period, the nearest for a frequency [omega_1 of these bars]. \throws
 /// std::invalid_argument naming it and what is allowed.
-[[nodiscard]] std::int64_t stepsAsked(const Call& call, const Assembly& assembly,
+[[nodiscard]] AskedPeriod askedOfBars(const Call& call, const Assembly& assembly,
                                       std::int64_t cycles);
 
 /// One of its contacts.
@@ -67,6 +67,7 @@ struct SceneHarmonicAnswer {
     std::int64_t settledContacts = 0;          ///< of what bars at rest settled on, if it was asked
     std::int64_t settledCycles = 0;            ///< the period of that
     HarmonicLimit limit = {};
+    AskedPeriod asked = {};
     /// Does momentum allow a contact to press? Constant forces on bars that drift may not.
     bool mayPress = true;
 
@@ -78,6 +79,7 @@ struct SceneHarmonicAnswer {
     /// Of the excitation [Hz].
     [[nodiscard]] double frequency() const { return static_cast<double>(cycles) / period(); }
     [[nodiscard]] std::optional<double> frequencyRatio() const;
+    [[nodiscard]] QuestionPart question() const;
     /// What was asked, in units of the network.
     [[nodiscard]] HarmonicNetwork given() const;
     /// Looks at a motion over one period; what it is told includes the shape under constant forces.
@@ -191,6 +193,7 @@ void describe(auto& d, Type<SceneHarmonicAnswer>)
         "status", "-",
         R"("found", "undecided", or "none" where no push gives bars that drift their momentum back.)",
         &T::status);
+    describeQuestion(d, &T::question);
     d.key("contacts_in_period", "- >= 1", "That were asked for.", &T::contacts);
     d.key("force", "-", "What is excited: driven nodes (tip), or shaken clamps (base).", &T::place);
     d.key("cycles", "- >= 1", "Of the excitation in a period.", &T::cycles);

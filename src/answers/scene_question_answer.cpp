@@ -19,12 +19,25 @@ Status SceneQuestionAnswer::status() const
                                           : Status::none;
 }
 
+QuestionPart SceneQuestionAnswer::question() const
+{
+    return {asked,
+            period.period(),
+            period.periodRatio(),
+            1.0 / period.period(),
+            period.frequencyRatio(),
+            energy ? std::optional(period.joules(*energy)) : std::nullopt,
+            energy ? period.ratio(*energy) : std::nullopt};
+}
+
 namespace {
 
-SceneQuestionAnswer answerOf(const BarsAsked& bars, std::int64_t steps, const SearchInBars& search,
-                             const Watch& watch)
+SceneQuestionAnswer answerOf(const BarsAsked& bars, const AskedPeriod& asked,
+                             const SearchInBars& search, const Watch& watch)
 {
-    SceneQuestionAnswer answer{scheduleOf(bars.assembly, bars.network, {{0, steps}}), {}, {}};
+    const std::int64_t steps = asked.steps;
+    SceneQuestionAnswer answer{
+        scheduleOf(bars.assembly, bars.network, {{0, steps}}), asked, search.wish.energy, {}, {}};
     const std::size_t contacts = bars.network.contacts.size();
     const auto all = static_cast<double>(contacts) * static_cast<double>(steps - 1);
     for (std::size_t j = 0; j < contacts; ++j) {
@@ -54,10 +67,11 @@ SceneQuestionAnswer answerOf(const BarsAsked& bars, std::int64_t steps, const Se
 Question<SceneQuestionAnswer> periodAsked(const Call& call, const BarsAsked& bars,
                                           const WavesOf& wavesOf)
 {
-    const std::int64_t steps = stepsAsked(call, bars.assembly, 1);
+    const AskedPeriod asked = askedOfBars(call, bars.assembly, 1);
     const SearchInBars search(call, bars, wavesOf);
-    return tried<SceneQuestionAnswer>(
-        call, steps, [=](const Watch& watch) { return answerOf(bars, steps, search, watch); });
+    return tried<SceneQuestionAnswer>(call, asked.steps, [=](const Watch& watch) {
+        return answerOf(bars, asked, search, watch);
+    });
 }
 
 void tryStability(SceneQuestionAnswer& answer, const Cancel& cancel)

@@ -20,6 +20,8 @@ struct SceneSet {
 
 struct SceneQuestionAnswer {
     SceneSchedule period;  ///< in which no contact is closed
+    AskedPeriod asked;
+    std::optional<double> energy;  ///< [Z_1 delta^2/h], to hold
     std::vector<SceneSet> sets;
     std::vector<SceneFindAnswer> motions;  ///< of sets that have one
 
@@ -27,10 +29,11 @@ struct SceneQuestionAnswer {
     /// set.
     [[nodiscard]] Status status() const;
     [[nodiscard]] std::int64_t count(Status status) const;
+    [[nodiscard]] QuestionPart question() const;
 };
 
 /// What a call asks of a period: O(n) schedules for each contact, each with the limits of the
-/// options. \throws std::invalid_argument as SearchInBars and stepsAsked.
+/// options. \throws std::invalid_argument as SearchInBars and askedOfBars.
 [[nodiscard]] Question<SceneQuestionAnswer> periodAsked(const Call& call, const BarsAsked& bars,
                                                         const WavesOf& wavesOf);
 
@@ -58,6 +61,7 @@ void describe(auto& d, Type<SceneQuestionAnswer>)
     d.key("steps", "- >= 2", "n.", [](const T& a) { return stepsOf(a.period.spans); });
     d.key("period", "s > 0", "T.", [](const T& a) { return a.period.period(); });
     d.key("frequency", "Hz > 0", "1/T.", [](const T& a) { return 1.0 / a.period.period(); });
+    describeQuestion(d, &T::question);
     describeStrainLimit(d, &T::period);
     d.key("sets", "-", "[dict, ...]: each contact, and each number of steps for it.", &T::sets);
     d.key("motions", "-", "Of those that have one.", [](const T& a) {

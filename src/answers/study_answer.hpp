@@ -43,6 +43,8 @@ inline constexpr const char* studyHeader =
 
 /// The outcome of one call.
 struct StudyAnswer {
+    Scene scene = {};        ///< of the first sweep
+    std::int64_t cells = 0;  ///< N
     Excited place = Excited::tip;
     int derivative = 0;
     std::vector<StudyPoint> points;  ///< by gap, damping and amplitude, the last fastest
@@ -73,8 +75,12 @@ void describe(auto& d, Type<StudyPoint>)
 void describe(auto& d, Type<StudyAnswer>)
 {
     using T = StudyAnswer;
-    d.record("Study", "Sweeps of frequency for gaps, damping ratios and amplitudes.");
+    d.record("Study",
+             "Sweeps of frequency for gaps, damping ratios and amplitudes. The bar is that of "
+             "the first sweep, points have their own gaps.");
     d.key("status", "-", R"("done", or "interrupted".)", &T::status);
+    d.key("cells", "- >= 1", "N.", &T::cells);
+    describeScene(d, &T::scene);
     d.key("force", "-", R"(What is excited: "tip" or "base".)", &T::place);
     d.key("amplitude_of", "-",
           R"(Whose: "force", or of the base "displacement", "velocity" or "acceleration".)",

@@ -165,9 +165,12 @@ void CommonOptions::requireGap(const Bar& bar, bool isFit) const
 Bar CommonOptions::barOfAnyGap() const
 {
     const Scene scene = sceneOfOneBar();
-    refuseIf(scene.secondStop.has_value(),
-             "--second-stop: allowed with find, continuum, simulate, response, families and atlas; "
-             "modes are curves of one wall, and families lists what of them a second stop leaves");
+    refuseIf(
+        scene.secondStop.has_value(),
+        fmt::format("{}: allowed of two stops with find, continuum, response, simulate, sweep, "
+                    "families and atlas; modes are curves of one wall, and families lists "
+                    "what of them a second stop leaves",
+                    sceneText.empty() ? "--second-stop" : "--scene"));
     return scene.bar;
 }
 
@@ -175,7 +178,12 @@ Scene CommonOptions::sceneOfOneBar() const
 {
     Scene one = scene();
     refuseIf(!one.segments.empty(),
-             "--segments: allowed with find, continuum, simulate, response and atlas only");
+             fmt::format("{}: allowed of several segments with find, continuum, response, "
+                         "simulate, sweep, atlas and scene; families and modes are theorems "
+                         "about the uniform bar, and for others there is no method",
+                         !sceneText.empty()    ? "--scene"
+                         : piecesFile_.empty() ? "--segments"
+                                               : "--segments-file"));
     return one;
 }
 

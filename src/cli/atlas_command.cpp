@@ -223,7 +223,7 @@ AtlasQuestion AtlasCommand::question(const std::optional<answers::AtlasPoint>& a
 AtlasAnswer AtlasCommand::ask(const AtlasDatabase& atlas, const std::vector<AtlasRun>& runs) const
 {
     using answers::withUnits;
-    AtlasAnswer answer{.bars = barsOf(runs)};
+    AtlasAnswer answer{.bars = barsOf(runs), .period = period};
     answer.units = units(answer.bars);
     answer.near = point(answer.units);
     if (!answer.bars) {

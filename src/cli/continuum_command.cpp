@@ -49,9 +49,10 @@ ExitStatus runContinuum(const Given& given)
                            [&] { return readState(path, scene.bar, common.usualCells()).state; });
         });
     Outputs outputs(given, {"--csv", "--state", "--figure", "--animate"});
-    answers::ContinuumAnswer answer = watched(common, "tracing", question);
+    bool isInterrupted = false;
+    answers::ContinuumAnswer answer = watched(common, "tracing", question, isInterrupted);
     const Continuum& curve = *answer.curve;
-    if (!curve.points.empty()) {
+    if (!curve.points.empty() && !isInterrupted) {
         if (const auto member = given.number("--member")) {
             answer.asked = memberAt(curve, *member);
         }
@@ -63,7 +64,7 @@ ExitStatus runContinuum(const Given& given)
         outputs.draw("--animate", [&] { return continuumFrames(curve); });
         outputs.commit();
     } else if (outputs.areWanted()) {
-        common.say("no motion to write, so no file was written");
+        sayNoFile(common, curve.points.empty());
     }
     report(common, answer);
     warnOfWorst(common, curve);

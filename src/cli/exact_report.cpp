@@ -53,12 +53,13 @@ std::string asText(const ExactAnswer& answer)
 {
     Text text;
     const auto hertz = [&](double ratio) { return answers::hertzOf(ratio, answer.bar); };
-    print(text, "{:<12}{} of amplitude {:.6g} {}, an exact harmonic, {:.6g} … {:.6g} Hz\n",
+    print(text, "{:<12}{} of amplitude {:.6g} {}, an exact harmonic, {:.6g} … {:.6g} Hz{}\n",
           name(answer.status()),
           answer.range.place == Excited::tip ? "force on the tip" : "base moving", answer.amplitude,
           answer.range.place == Excited::tip ? "N" : "m", hertz(answer.range.leastFrequencyRatio),
-          hertz(answer.range.mostFrequencyRatio));
-    print(text, "one contact {}: all of them\n", countOf(answer, 1));
+          hertz(answer.range.mostFrequencyRatio),
+          answer.isComplete ? "" : ": interrupted, the list is not complete");
+    print(text, "one contact {}{}\n", countOf(answer, 1), answer.isComplete ? ": all of them" : "");
     print(text,
           "several     {}: what a bar at rest settles on, where one is not known to attract\n",
           countOf(answer, 2));

@@ -94,11 +94,12 @@ std::string asText(const answers::ForcedAnswer& answer)
 std::string asText(const answers::HarmonicAnswer& answer)
 {
     Text text;
-    print(text, "{:<12}{} in T = {} L/c, {}{} of amplitude {:.6g} {}, ω/ω₁ = {:.10g}\n",
+    print(text, "{:<12}{} in T = {} L/c, {}{} of amplitude {:.6g} {}, ω/ω₁ = {:.10g}{}\n",
           name(answer.status()),
           answer.contacts == 1 ? "one contact" : fmt::format("{} contacts", answer.contacts),
           fractionAsText(answer.period), wordsOf(answer.place), wordsOf(answer.cycles),
-          answer.amplitude, answer.place == Excited::tip ? "N" : "m", answer.frequencyRatio());
+          answer.amplitude, answer.place == Excited::tip ? "N" : "m", answer.frequencyRatio(),
+          answer.question().nearest());
     for (const answers::HarmonicMotionOf& motion : answer.motions) {
         const auto& contacts = motion.value.contacts;
         for (const HarmonicContact& one : contacts) {

@@ -70,15 +70,18 @@ std::string padded(std::string_view left, std::string_view right)
 Given::Given(const Usage& usage, const std::vector<std::string>& asked) : usage_(usage)
 {
     const auto end = std::find(asked.begin(), asked.end(), "--");
+    wantsHelp_ = std::any_of(
+        asked.begin(), end, [](std::string_view word) { return word == "-h" || word == "--help"; });
+    if (wantsHelp_) {
+        return;
+    }
     std::vector<std::string> unknown;
     for (auto word = asked.begin(); word != end; ++word) {
         const bool isLong = word->starts_with("--");
         const std::size_t equals = isLong ? word->find('=') : std::string::npos;
         const std::string name = word->substr(0, equals);
         const Option* option = isLong ? answers::optionOf(usage.questions, name) : nullptr;
-        if (*word == "-h" || *word == "--help") {
-            wantsHelp_ = true;
-        } else if (option != nullptr) {
+        if (option != nullptr) {
             std::vector<std::string> values;
             if (equals != std::string::npos) {
                 values.push_back(word->substr(equals + 1));
@@ -100,7 +103,7 @@ Given::Given(const Usage& usage, const std::vector<std::string>& asked) : usage_
         std::vector<std::string>& rest = usage.words.empty() ? unknown : words_;
         rest.insert(rest.end(), end + 1, asked.end());
     }
-    if (!unknown.empty() && !wantsHelp_) {
+    if (!unknown.empty()) {
         refuseUnknown(unknown);
     }
     requireOnce();
@@ -255,7 +258,8 @@ std::string helpOf(const Usage& usage)
     if (!usage.words.empty()) {
         text += "\nPositionals:\n" + padded(usage.words, usage.ofWords);
     }
-    text += "\nOptions:\n" + padded("-h,--help", "Print this help message and exit");
+    text += "\nOptions:\n" + padded("-h,--help", "Print this help message and exit") +
+            padded("--version", "Display program version information and exit");
     for (const Option& option : answers::options()) {
         if ((option.of & usage.questions) != 0) {
             const std::string left = fmt::format("{} {}", option.name, option.type);

@@ -18,7 +18,6 @@
 #include "json.hpp"
 #include "mapped.hpp"
 #include "ranks.hpp"
-#include "signorini/config.hpp"
 #include "signorini/output.hpp"
 #include "solver.hpp"
 #include "study_file.hpp"
@@ -28,19 +27,6 @@ namespace {
 
 using namespace signorini;
 using namespace signorini::cli;
-
-std::string versionText()
-{
-    std::string text = fmt::format("signorini {}\nback ends:\n", SIGNORINI_VERSION);
-    for (const Backend& backend : backends()) {
-        const std::string library =
-            backend.library.empty() ? ""
-            : backend.available()   ? fmt::format(" ({} {})", backend.library, backend.version())
-                                    : fmt::format(" ({}, not in this build)", backend.library);
-        text += fmt::format("  {:<14} {}{}\n", backend.name, backend.purpose, library);
-    }
-    return text;
-}
 
 int complain(ExitStatus status, std::string_view text)
 {
@@ -227,6 +213,11 @@ int run(std::vector<std::string> words)
         throw std::invalid_argument(fmt::format("command{}: allowed {}{}; see signorini --help",
                                                 given, fmt::join(names, "|"),
                                                 didYouMean(first, names)));
+    }
+    const auto options = std::find(words.begin(), words.end(), "--");
+    if (std::find(words.begin(), options, "--version") != options) {
+        writeOut(versionText());
+        return exitFound;
     }
     const Given given(called->usage, {words.begin() + 1, words.end()});
     if (given.wantsHelp()) {

@@ -66,4 +66,14 @@ auto watched(const CommonOptions& common, const char* words, const auto& work)
                                }});
 }
 
+/// The same; `isInterrupted` says whether it was told to end.
+auto watched(const CommonOptions& common, const char* words, const auto& work, bool& isInterrupted)
+{
+    return watched(common, words, [&](const answers::Watch& watch) {
+        auto answer = work(watch);
+        isInterrupted = isRequested(watch.cancel);
+        return answer;
+    });
+}
+
 }  // namespace signorini::cli

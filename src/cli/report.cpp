@@ -305,10 +305,7 @@ std::string asText(const answers::QuestionAnswer& answer, bool isVerbose)
     if (answer.energyRatio) {
         text += fmt::format(", E = {:.10g} E₁", *answer.energyRatio);
     }
-    if (answer.asked.option == "hertz") {
-        text += fmt::format("; asked {} Hz, nearest on this grid {:.10g} Hz", answer.asked.word,
-                            1.0 / answer.seconds());
-    }
+    text += answer.question().nearest();
     std::string found;
     std::string others;
     std::size_t count = 0;

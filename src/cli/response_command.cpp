@@ -127,6 +127,8 @@ ExitStatus runExact(const Given& given, const CommonOptions& common, const Force
                 forceSteps ? frequencyResponse(coarse) : std::vector<FrequencyResponse>());
         });
         outputs.commit();
+    } else {
+        common.say("interrupted; the list is not complete");
     }
     report(common, answer, {}, force.ratio);
     return exitStatusOf(answer.status());

@@ -30,6 +30,12 @@ std::optional<Assembly> barsOf(const Given& given, const CommonOptions& common)
     return answers::assemblyOf(scene, common.usualCells(), {});
 }
 
+void sayNoFile(const CommonOptions& common, bool isEmpty)
+{
+    common.say(fmt::format("{}, so no file was written",
+                           isEmpty ? "no motion to write" : "the curve is not complete"));
+}
+
 namespace {
 
 std::string asText(const answers::SceneContinuumAnswer& answer)
@@ -98,9 +104,10 @@ ExitStatus continuumInBars(const Given& given, const CommonOptions& common,
     bars.spans = spansOf(given, common, bars.network.contacts.size());
     const auto question = answers::continuumAsked(given, bars, wavesIn(given));
     Outputs outputs(given, {"--csv", "--state", "--figure", "--animate"});
-    answers::SceneContinuumAnswer answer = watched(common, "tracing", question);
+    bool isInterrupted = false;
+    answers::SceneContinuumAnswer answer = watched(common, "tracing", question, isInterrupted);
     const NetworkContinuum& curve = answer.curve();
-    if (!curve.points.empty()) {
+    if (!curve.points.empty() && !isInterrupted) {
         if (const auto member = given.number("--member")) {
             answer.asked = pointAt(curve, *member);
         }
@@ -114,7 +121,7 @@ ExitStatus continuumInBars(const Given& given, const CommonOptions& common,
         outputs.draw("--animate", [&] { return sceneContinuumFrames(answer); });
         outputs.commit();
     } else if (outputs.areWanted()) {
-        common.say("no motion to write, so no file was written");
+        sayNoFile(common, curve.points.empty());
     }
     report(common, answer, assembly, asText(answer));
     Physical worst;

@@ -24,7 +24,7 @@ std::string asText(const answers::SceneHarmonicAnswer& answer)
     if (const auto ratio = answer.frequencyRatio()) {
         text += fmt::format(", {:.6g} ω₁", *ratio);
     }
-    text += "\n";
+    text += answer.question().nearest() + "\n";
     for (const answers::SceneHarmonicMotion& motion : answer.motions) {
         const NetworkHarmonicMotion& value = motion.value;
         const NetworkScales& scales = motion.scales;

@@ -107,6 +107,32 @@ AssemblyPart partOfJson(const Json& json, const std::string& place)
     return part;
 }
 
+Assembly assemblyIn(const Json& json)
+{
+    // The answer of `scene` has it as an entry.
+    Entries whole(json, "");
+    const Json& inner = whole.take("scene");
+    Entries entries(inner.is_null() ? json : inner, inner.is_null() ? "" : "scene");
+    Assembly assembly{.length = entries.number("length", 1.0),
+                      .waveSpeed = entries.number("wave_speed", 1.0),
+                      .axialStiffness = entries.number("axial_stiffness", 1.0),
+                      .gravity = entries.number("gravity", 0.0)};
+    if (entries.has("young")) {
+        assembly.young = entries.number("young");
+    }
+    (void)entries.take("young");
+    const Json& parts = entries.take("parts");
+    if (!parts.is_array() || parts.size() > maxParts) {
+        entries.refuseEntry("parts", parts, fmt::format("a list of at most {} parts", maxParts));
+    }
+    entries.requireAllTaken();
+    std::size_t number = 0;
+    for (const Json& part : parts) {
+        assembly.parts.push_back(partOfJson(part, fmt::format("parts[{}]", number++)));
+    }
+    return assembly;
+}
+
 std::string contentOf(const std::string& path)
 {
     std::ifstream file(path, std::ios::binary);
@@ -145,28 +171,11 @@ Assembly assemblyOfJson(std::string_view text, const std::string& name)
     const Json json = Json::parse(text, nullptr, false);
     refuseIf(json.is_discarded(), shortened(name), shortened(text),
              "JSON, as signorini scene --format json prints it");
-    // The answer of `scene` has it as an entry.
-    Entries whole(json, "");
-    const Json& inner = whole.take("scene");
-    Entries entries(inner.is_null() ? json : inner, inner.is_null() ? "" : "scene");
-    Assembly assembly{.length = entries.number("length", 1.0),
-                      .waveSpeed = entries.number("wave_speed", 1.0),
-                      .axialStiffness = entries.number("axial_stiffness", 1.0),
-                      .gravity = entries.number("gravity", 0.0)};
-    if (entries.has("young")) {
-        assembly.young = entries.number("young");
+    try {
+        return assemblyIn(json);
+    } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(fmt::format("{}: {}", shortened(name), error.what()));
     }
-    (void)entries.take("young");
-    const Json& parts = entries.take("parts");
-    if (!parts.is_array() || parts.size() > maxParts) {
-        entries.refuseEntry("parts", parts, fmt::format("a list of at most {} parts", maxParts));
-    }
-    entries.requireAllTaken();
-    std::size_t number = 0;
-    for (const Json& part : parts) {
-        assembly.parts.push_back(partOfJson(part, fmt::format("parts[{}]", number++)));
-    }
-    return assembly;
 }
 
 Scene CommonOptions::scene() const
@@ -181,7 +190,7 @@ Scene CommonOptions::scene() const
         throw std::invalid_argument(fmt::format(
             "--scene '{}': allowed for this question: one bar, clamped on the left, with stops at "
             "its tip, as in 'clamp 300 stop=1e-3'; of other scenes find, continuum, response, "
-            "simulate and atlas know motions",
+            "simulate, sweep and atlas know motions",
             shortened(sceneText)));
     }
     validate(*bar);

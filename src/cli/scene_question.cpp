@@ -23,8 +23,8 @@ std::string asText(const SceneQuestionAnswer& answer)
         name(answer.status()), answer.motions.size(), answer.sets.size(),
         stepsOf(answer.period.spans), answer.count(Status::none), answer.count(Status::undecided));
     text += limitText(answer.period.strainLimit);
-    text += fmt::format("period      {:.6g} s, {:.6g} Hz\n", answer.period.period(),
-                        1.0 / answer.period.period());
+    text += fmt::format("period      {:.6g} s, {:.6g} Hz{}\n", answer.period.period(),
+                        1.0 / answer.period.period(), answer.question().nearest());
     for (const SceneFindAnswer& motion : answer.motions) {
         text += fmt::format("motion      {}, {}{}\n", textOf(motion.schedule.spans),
                             inWords(motion.schedule, motion.motions.energy),

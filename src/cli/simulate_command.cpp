@@ -128,6 +128,10 @@ ExitStatus SimulateCommand::run() const
                     {"--from", "--force-file"});
     const auto usual = static_cast<double>(common.usualCells());
     const Waves waves = start(scene, excitation(asked.drive, bar, usual).baseDisplacement(0));
+    refuseIf(common.cells && !force.place && !given.has("--force-file") && usual != waves.crossing,
+             "--cells", given.text("--cells"),
+             fmt::format("{:.17g}, those of the state; others only as steps of a force",
+                         waves.crossing));
     const Excitation driving = excitation(asked.drive, bar, common.cells ? usual : waves.crossing);
     answers::FollowedBar followed = started(
         std::move(asked), waves, driving,

@@ -35,7 +35,12 @@ private:
     /// Is it a question for the simulation of a network?
     [[nodiscard]] bool isOfNetwork() const
     {
-        return common.hasScene() || forceRange || !speeds.empty();
+        return (common.hasScene() && !isDampedBar()) || forceRange || !speeds.empty();
+    }
+    /// One bar in words, with --damping, which several do not take.
+    [[nodiscard]] bool isDampedBar() const
+    {
+        return force.ratio && !common.sceneText.empty() && barOf(common.assembly());
     }
     /// The start, `base` [g] the place of the base then.
     [[nodiscard]] Waves start(const Scene& scene, double base) const;

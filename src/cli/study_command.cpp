@@ -47,8 +47,11 @@ RowOf rowsOf(const StudyQuestion& question, const Cancel& cancel)
 std::string asText(const StudyAnswer& answer)
 {
     Text text;
-    print(text, "{} sweeps of frequency, {}{}\n", answer.points.size(),
+    const bool areSeveral =
+        !answer.points.empty() && answer.points.front().gap != answer.points.back().gap;
+    print(text, "{} sweeps of frequency, {}{}{}\n", answer.points.size(),
           answer.place == Excited::tip ? "force on the tip" : "base moving",
+          areSeveral ? "; of several gaps, g and E₁ above are of the first" : "",
           answer.isComplete ? "" : ": interrupted, the list is not complete");
     const std::string unit = amplitudeUnitName(answer.place, answer.derivative);
     print(text, "{:>12} {:>9} {:>12} {:>12} {:>10} {:>12} {:>12}  {}\n", "gap [m]", "damping",
@@ -85,8 +88,11 @@ StudyAnswer answerOf(const Given& given, const StudyQuestion& question, const De
         .deal = deal,
         .show = [&progress](double done, double total) { progress.show(done, total); }};
     StudyAnswer answer;
-    answer.place = question.cases.front().sweep.range.place;
-    answer.derivative = question.cases.front().sweep.range.derivative;
+    const answers::SweepAnswer& first = question.cases.front().sweep;
+    answer.scene = first.scene;
+    answer.cells = static_cast<std::int64_t>(first.range.cells);
+    answer.place = first.range.place;
+    answer.derivative = first.range.derivative;
     answer.points = answers::studyPointsOf(
         csvFile.empty() ? tabulated(table)
                         : forFile("--csv", csvFile, [&] { return tabulated(table); }));
@@ -141,7 +147,8 @@ ExitStatus runStudy(const Given& given)
         tell(fmt::format("signorini study: interrupted; the list is not complete{}\n",
                          csvFile.empty() ? "" : "; the same call with --resume continues"));
     }
-    writeOut(given.text("--format") == "json" ? asLine(wholeJsonOf(answer)) : asText(answer));
+    writeOut(given.text("--format") == "json" ? asLine(wholeJsonOf(answer))
+                                              : question.restated + asText(answer));
     return exitStatusOf(answer.status());
 }
 

@@ -149,6 +149,9 @@ StudyQuestion studyQuestionOf(const std::string& toml)
             question.cases.push_back(
                 {answers::sweepAsked(given, common.scene(), common.usualCells()),
                  *ForceOptions(given).amplitude});
+            if (k == 0) {
+                question.restated = common.restated(common.usualCells());
+            }
         } catch (const std::invalid_argument& error) {
             throw std::invalid_argument(given.inOptions(error.what()));
         }

@@ -14,6 +14,7 @@ namespace signorini::cli {
 struct StudyQuestion {
     std::string text;  ///< all on one line but gap, damping and amplitude, whose values may grow
     std::vector<answers::StudyCase> cases;
+    std::string restated;  ///< the line of the bar, as it is in the first of them
 };
 
 /// Is an option, without its hyphens, one of sweep that such a file may hold?

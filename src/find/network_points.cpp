@@ -261,10 +261,13 @@ NetworkPoint NetworkPoints::ofEnergy(double wanted, std::span<const double> leas
             least.z = between(least.z, vertex.z, wanted);
             least.solver = vertex.solver;
         } else {
+            constexpr double rounding = 1e-12;
+            const double share = (highest + steady) / asked;
             least.detail = fmt::format(
-                "energies up to {:.9g} times the one asked for were found, and nothing proves that "
-                "there is none above",
-                (highest + steady) / asked);
+                "{} found, and nothing proves that there is none above",
+                share > rounding
+                    ? fmt::format("energies up to {:.9g} times the one asked for were", share)
+                    : "no energy but 0 was");
         }
     }
     least.z -= made;

@@ -36,7 +36,7 @@ namespace {
 
 ContactSet setOf(std::string_view text, std::size_t contacts, const std::string& word)
 {
-    if (text == "-" || text.empty()) {
+    if (text == "-") {
         return 0;
     }
     ContactSet closed = 0;

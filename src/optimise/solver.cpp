@@ -9,6 +9,7 @@
 #include "faults.hpp"
 #include "names.hpp"
 #include "scaling.hpp"
+#include "signorini/config.hpp"
 
 namespace signorini {
 
@@ -139,6 +140,19 @@ SolverResult Solver::solve(const Program& program, const SolverOptions& options)
                         result.violation, options.tolerance);
     }
     return result;
+}
+
+std::string versionText()
+{
+    std::string text = fmt::format("signorini {}\nback ends:\n", SIGNORINI_VERSION);
+    for (const Backend& backend : backends()) {
+        const std::string library =
+            backend.library.empty() ? ""
+            : backend.available()   ? fmt::format(" ({} {})", backend.library, backend.version())
+                                    : fmt::format(" ({}, not in this build)", backend.library);
+        text += fmt::format("  {:<14} {}{}\n", backend.name, backend.purpose, library);
+    }
+    return text;
 }
 
 const Backend& findBackend(std::string_view name)

@@ -146,6 +146,9 @@ private:
 /// All back ends known to the project, in this build or not.
 [[nodiscard]] std::span<const Backend> backends();
 
+/// What --version prints: which version this is, and all back ends, a line each.
+[[nodiscard]] std::string versionText();
+
 /// The row of that name.
 /// \throws std::invalid_argument for an unknown name, listing the known ones.
 [[nodiscard]] const Backend& findBackend(std::string_view name);

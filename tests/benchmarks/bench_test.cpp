@@ -125,6 +125,7 @@ TEST_CASE("bench: --filter chooses cases, and a wrong call is exit status 2")
     CHECK(bench.run("--quick --filter 'no such case'") == 2);
     CHECK(bench.run("--quick --filter '('") == 2);
     CHECK(bench.run("--slow") == 2);
+    CHECK(bench.run("--version") == 0);
     CHECK(bench.table().size() == 3);
 }
 

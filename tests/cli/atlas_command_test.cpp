@@ -256,6 +256,7 @@ TEST_CASE("cli atlas: queries")
     }
     const json period = ask("--period 7/2 --schedules");
     CHECK(period == ask("--period 3.5 --schedules"));
+    CHECK(period["exact_period"] == json({7, 2}));
     CHECK(period["families"].size() == 1);
     int canonical = 0;
     for (const json& entry : period["schedules"]) {

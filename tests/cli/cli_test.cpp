@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <set>
+#include <sstream>
 
 #include "command_line.hpp"
 #include "solver.hpp"
@@ -205,11 +207,32 @@ TEST_CASE("cli: help and version succeed; the version lists every back end")
     const CommandLine program;
     CHECK(program.run("--help").status == 0);
     CHECK_THAT(program.run("find --help").out, containsText("--figure"));
+    // Whatever else is wrong, and each option once.
+    const auto help = program.run("find --help --length 0");
+    CHECK(help.status == 0);
+    std::set<std::string> names;
+    std::istringstream shown(help.out);
+    for (std::string line; std::getline(shown, line);) {
+        if (line.starts_with("  --")) {
+            INFO(line);
+            CHECK(names.insert(line.substr(2, line.find(' ', 2) - 2)).second);
+        }
+    }
+    CHECK(names.contains("--version"));
     const auto version = program.run("--version");
     CHECK(version.status == 0);
+    CHECK(program.run("find 3 18 --version").out == version.out);
     for (const signorini::Backend& backend : signorini::backends()) {
         CHECK_THAT(version.out, containsText(std::string(backend.name)));
     }
+}
+
+TEST_CASE("cli: the motion that is meant without --objective has a name")
+{
+    const CommandLine program;
+    const std::string words = "150 900 --energy-ratio 20";
+    CHECK(program.find(words + " --objective auto", 0)["objective"] ==
+          program.find(words, 0)["objective"]);
 }
 
 TEST_CASE("cli: the nearest motion to a state file is found, wrong files are refused")

@@ -573,6 +573,37 @@ TEST_CASE("cli response, simulate: wrong use is one line, status 2 and no file")
     CHECK(program.run("simulate --time 1 --from no.csv").status == 4);
 }
 
+TEST_CASE("cli simulate: one bar in words takes --damping, as it does by its options")
+{
+    const CommandLine program;
+    for (const auto& [words, options] :
+         {std::pair{"'clamp 12 stop=1e-3'", "--cells 12"},
+          {"'clamp 6 6:1.3 stop=-2e-3 stop=1e-3'", "--segments 6:1,6:1.3 --second-stop 2e-3"}}) {
+        for (const char* driven :
+             {"--force tip --amplitude 4e-4 --frequency 1 --periods 30", "--rest --time 3"}) {
+            const std::string damped = std::string(" --damping 0.02 ") + driven;
+            const json said = parsed(program, std::string("simulate --scene ") + words + damped);
+            CHECK(said == parsed(program, std::string("simulate ") + options + damped));
+            CHECK(said["damping"]["ratio"] == 0.02);
+        }
+    }
+    CHECK(
+        program.run("simulate --scene 'clamp 6 gap=1e-3 6 clamp' --damping 0.1 --time 1").status ==
+        2);
+}
+
+TEST_CASE("cli simulate: cells that are not those of the state are refused")
+{
+    const CommandLine program;
+    REQUIRE(program.run("find 3 18 --cells 6 --state s.csv").status == 0);
+    const auto outcome = program.run("simulate --from s.csv --time 1 --cells 20");
+    CHECK(outcome.status == 2);
+    CHECK_THAT(outcome.err,
+               Catch::StartsWith("signorini: --cells = 20") && containsText("allowed 6"));
+    CHECK(parsed(program, "simulate --from s.csv --time 1 --cells 6") ==
+          parsed(program, "simulate --from s.csv --time 1"));
+}
+
 TEST_CASE("cli response --exact: curves, and beside them what a staircase has")
 {
     const CommandLine program;
@@ -580,6 +611,7 @@ TEST_CASE("cli response --exact: curves, and beside them what a staircase has")
         "response --exact --cells 10 --damping 0.05 --force tip --amplitude 4e-4 --from 0.9 --to "
         "1.3";
     const json answer = parsed(program, asked);
+    CHECK(answer["complete"] == true);
     REQUIRE(answer["branches"].size() > 0);
     for (const json& branch : answer["branches"]) {
         for (const json& mark : branch["marks"]) {
@@ -613,6 +645,21 @@ TEST_CASE("cli response --exact: curves, and beside them what a staircase has")
         CHECK(outcome.status == 2);
         CHECK(lines(outcome.err) == 1);
     }
+}
+
+TEST_CASE("cli response --exact: a list that was interrupted says so")
+{
+    const CommandLine program;
+    const std::string asked =
+        "response --exact --cells 300 --damping 0.02 --force tip --amplitude 2e-4 ";
+    const auto json = nlohmann::json::parse(
+        program.run(asked + "--format json --csv e.csv", "timeout -s INT 0.6").out);
+    CHECK(json["status"] == "undecided");
+    CHECK(json["complete"] == false);
+    CHECK(program.files() == 0);
+    const auto text = program.run(asked, "timeout -s INT 0.6");
+    CHECK_THAT(text.err, containsText("interrupted"));
+    CHECK_THAT(text.out, containsText("interrupted") && !containsText("all of them"));
 }
 
 TEST_CASE("cli response --exact of several bars: lists of find, and where a simulation settles")

@@ -150,6 +150,13 @@ TEST_CASE("cli study: each row is the worst of a sweep, and a list may grow")
     placeFile(program, "q.toml", fmt::format(fmt::runtime(question), "[\"20um\"]"));
     const json first = parsed(program, "study q.toml --csv s.csv");
     REQUIRE(first["points"].size() == 4);
+    CHECK(first["cells"] == 20);
+    CHECK(first["bar"]["young"] == 210e9);
+    CHECK(first["bar"]["gap"] == 1e-4);
+    const auto words = program.run("study q.toml --csv s.csv --resume --verbose");
+    CHECK(words.status == 0);
+    CHECK_THAT(words.out, Catch::StartsWith("bar         N = 20, L = 1 m, c = 5172") &&
+                              containsText("g and E₁ above are of the first"));
     const json& point = first["points"][1];  // gap slowest, amplitude fastest
     CHECK(point["gap"] == 1e-4);
     CHECK(point["damping"] == 0.1);

@@ -218,3 +218,42 @@ TEST_CASE("cli: each motion says what can be measured, in SI units")
     CHECK(program.run("find 150 900 --yield-stress 2.2e6" + steel).err.empty());
     CHECK(program.run("find 150 900 --yield-stress 2e6").status == 2);
 }
+
+TEST_CASE("cli question: of bars and under a harmonic, too, an answer says what was asked of it")
+{
+    const CommandLine program;
+    const std::string bars = R"(--scene "clamp 4 gap=1e-3 4:1.3 clamp" )";
+    const std::string forced = " --damping 0.05 --force tip --amplitude 4e-4";
+    struct Asked {
+        std::string words;
+        json asked;
+        const char* nearest;  ///< nullptr: that of the grid
+    };
+    for (const auto& [words, asked, nearest] :
+         {Asked{"--hertz 0.28 --segments 4:1,4:1.3", {{"hertz", "0.28"}}, "asked 0.28 Hz"},
+          {"--frequency 0.28Hz --cells 8", {{"hertz", "0.28"}}, "asked 0.28 Hz"},
+          {"--frequency 8/7 --energy-ratio 7 --segments 4:1,4:1.3",
+           {{"frequency", "8/7"}},
+           "asked 8/7 ω₁"},
+          {"--period 29/8 --segments 4:1,4:1.3", {{"period", "29/8"}}, nullptr},
+          {"--hertz 0.28 " + bars, {{"hertz", "0.28"}}, "asked 0.28 Hz"},
+          {"--hertz 0.28 --segments 4:1,4:1.3" + forced, {{"hertz", "0.28"}}, "asked 0.28 Hz"},
+          {"--frequency 10/9 --cells 8" + forced, {{"frequency", "10/9"}}, nullptr},
+          {"--hertz 0.28 --cells 8" + forced, {{"hertz", "0.28"}}, "asked 0.28 Hz"}}) {
+        const auto outcome = program.run("find --format json " + words);
+        INFO(words << outcome.err);
+        REQUIRE(outcome.status != 2);
+        const json question = json::parse(outcome.out)["question"];
+        CHECK(question["asked"] == asked);
+        CHECK(question.contains("nearest") == (nearest != nullptr));
+        CHECK(question["period"].get<double>() * question["frequency"].get<double>() ==
+              Approx(1.0));
+        const std::string text = program.run("find " + words).out;
+        if (nearest != nullptr) {
+            CHECK(question["nearest"] == question["frequency"]);
+            CHECK_THAT(text, containsText(nearest) && containsText("nearest on this grid"));
+        } else {
+            CHECK_THAT(text, !containsText("nearest"));
+        }
+    }
+}

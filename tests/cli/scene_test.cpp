@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
 #include <sstream>
+#include <tuple>
 
 #include "command_line.hpp"
 #include "has_solver.hpp"
@@ -38,6 +40,14 @@ TEST_CASE("cli scenes: without a gap the energy is given in joules and answers s
     CHECK(r["solution_set"]["kind"] == "cone");
     const json none = program.find("3 8 --cells 4 --gap 0 --energy 2e-6", 1);
     CHECK(none["certificate"]["size"].get<std::int64_t>() < 0);
+    for (const char* words : {"find 3 7", "find --period 5/2", "continuum 3 7"}) {
+        const auto outcome =
+            program.run(std::string(words) + " --cells 4 --gap 0 --energy-ratio 4");
+        INFO(words << outcome.out);
+        CHECK(outcome.status == 2);
+        CHECK_THAT(outcome.err, containsText("not allowed without a gap") &&
+                                    containsText("joules in its place"));
+    }
     const auto missing = program.run("find 3 7 --cells 4 --gap 0");
     CHECK(missing.status == 2);
     CHECK_THAT(missing.err, containsText("--energy is missing: allowed"));
@@ -126,6 +136,40 @@ TEST_CASE("cli scenes: commands say which scenes they do not know")
         CHECK(lines(outcome.err) == 1);
     }
     CHECK(program.files() == 0);
+}
+
+TEST_CASE("cli scenes: refusals name what was typed, where, and what there is no method for")
+{
+    const CommandLine program;
+    std::ofstream(program.file("e.json")) << "{}";
+    std::ofstream(program.file("p.csv")) << "length,young,density,area\n1,2e11,8e3,1e-4\n"
+                                            "1,2e11,8e3,2e-4\n";
+    for (const auto& [call, start, text] :
+         {std::tuple{"modes --scene 'clamp 6 6:1.3 stop=1e-3'", "--scene: allowed",
+                     "sweep, atlas and scene; families and modes are theorems"},
+          {"modes --scene 'clamp 6 stop=-2e-3 stop=1e-3'", "--scene: allowed of two", "one wall"},
+          {"families --segments 6:1,6:1.3", "--segments: allowed", "there is no method"},
+          {"mode 4 -1 --period 3 --segments-file p.csv", "--segments-file: allowed", "theorems"},
+          {"scene e.json", "e.json: parts = null", "allowed a list"},
+          {"find 3 7 --scene e.json", "e.json: parts = null", "allowed a list"},
+          {"find :2 -:9 --scene 'clamp 3 gap=1e-3 4 clamp'", "schedule = :2",
+           "allowed SET:STEPS, SET - or different contacts"}}) {
+        const auto outcome = program.run(call);
+        INFO(call << ": " << outcome.err);
+        CHECK(outcome.status == 2);
+        CHECK(lines(outcome.err) == 1);
+        CHECK_THAT(outcome.err,
+                   Catch::StartsWith(std::string("signorini: ") + start) && containsText(text));
+    }
+}
+
+TEST_CASE("cli scenes: of bars that fly no energy but 0 is found where none else is")
+{
+    const CommandLine program;
+    const auto outcome =
+        program.run("find --hertz 0.6 --scene 'stop=1e-3 6 stop=1e-3' --energy 1e-5");
+    CHECK(outcome.status == 3);
+    CHECK_THAT(outcome.out, containsText("no energy but 0 was found"));
 }
 
 TEST_CASE("cli scenes: modes, families and atlas of a bar pressed at rest")
@@ -452,6 +496,8 @@ TEST_CASE("cli scenes: forced motions of bars that meet, the least amplitude and
     CHECK(std::filesystem::exists(program.file("f.svg")));
     const double amplitude = least["amplitude_range"][0].get<double>();
     CHECK(least["motions"][0]["amplitude"].get<double>() == Approx(amplitude));
+    CHECK(least["amplitude"] == least["motions"][0]["amplitude"]);
+    CHECK(least["phase"] == least["motions"][0]["phase"]);
     CHECK(lines(contentOf(program.file("s.csv"))) > 9);
     const json two = program.find(bars + fmt::format("--amplitude {}", 1.01 * amplitude), 0);
     for (const json& motion : two["motions"]) {

@@ -77,7 +77,7 @@ def require_driven(bars, force):
 
 def check_scene_forced(answer):
     """What an answer of `find --scene ... --force` proves, in a sentence. NoProof if it proves nothing."""
-    require_keys(answer, "answer", SAID, ("strain_limit",))
+    require_keys(answer, "answer", SAID, ("strain_limit", "phase"))
     claim, certificate = Claim(answer), answer["certificate"]
     require_keys(certificate, "certificate", ("kind", "verified", "rows", "cuts"))
     cycles, force, lists = integer(answer["cycles"], "cycles"), answer["force"], certificate["cuts"]
@@ -89,8 +89,8 @@ def check_scene_forced(answer):
     claim.require_derived(answer, claim.bars.unit(), cycles)
     if not close(answer["frequency"], cycles / (len(claim.closed) * claim.bars.step), Fraction(1, 10 ** 9)):
         raise NoProof(f"frequency: {shown(answer['frequency'])} does not follow from the schedule")
-    if answer["motions"] != []:
-        raise NoProof("motions: none are proved here")
+    if answer["motions"] != [] or answer.get("phase") is not None:
+        raise NoProof("motions, phase: none are proved here")
     cuts = [Cut(claim, one, answer) for one in lists]
     words = f"{len(cuts)} sums of {len(claim.y)} waves and conditions, stepped backwards in time, below {HUGE} E_1"
     if certificate["kind"] == "amplitude-range":
