@@ -49,7 +49,8 @@ def _one_of(asked: dict[str, Any]) -> tuple[str, Any]:
     if len(given) != 1:
         raise ValueError("period, frequency, hertz: allowed one of them")
     (name, word), = given.items()
-    return name, word
+    is_hertz = name == "frequency" and isinstance(word, str) and word.endswith("Hz")
+    return "hertz" if is_hertz else name, word
 
 
 def _word(name: str, given: Any) -> str:
@@ -119,7 +120,7 @@ def find_bars(asked: dict[str, Any], times: dict[str, Any], usual: dict[str, Any
 def _timed(times: dict[str, Any], asked: dict[str, Any]) -> dict[str, Any]:
     """The same with what was asked for as text."""
     name, word = _one_of(times)
-    return {**asked, name: _word(name, word)}
+    return {**asked, **dict.fromkeys(times), name: _word(name, word)}
 
 
 def ask_bars(times: dict[str, Any], asked: dict[str, Any]) -> SceneQuestion:

@@ -436,7 +436,7 @@ def test_what_drives_bars_is_said_only_where_there_is_a_choice() -> None:
 
 def test_the_contact_of_bars_is_drawn() -> None:
     """What the curves say is what the motion says, and a notebook has them."""
-    found = sg.find(scene=BARS, hertz=0.5, force="tip", amplitude=2e-3)
+    found = sg.find(scene=BARS, frequency="0.5Hz", force="tip", amplitude=2e-3)
     motion, = found.motions
     axes = sg.plot.motion(found)
     gap, force = (axes[name].lines[0].get_ydata() for name in ("gap", "force"))
