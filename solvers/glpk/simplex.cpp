@@ -124,7 +124,7 @@ private:
                                    const SolverOptions& options) const override
     {
         if (isTall(program)) {
-            const SolverResult turned = ofProgram(program, solve(dualOf(program), options));
+            SolverResult turned = ofProgram(program, solve(dualOf(program), options));
             if (turned.status != SolverStatus::failed) {
                 return turned;
             }
