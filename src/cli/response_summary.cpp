@@ -75,11 +75,12 @@ void ResponseSummary::addWorst(Text& text) const
                           auto remark) {
         const SummedFrequency* worstAt = nullptr;
         const SummedMotion* worst = nullptr;
-        for (auto at = frequencies.rbegin(); at != frequencies.rend(); ++at) {
-            for (const SummedMotion& one : at->motions) {
+        for (const SummedFrequency& at : frequencies) {
+            for (const SummedMotion& one : at.motions) {  // of equals the highest frequency
                 if ((one.isImpact || !isOfImpacts) &&
-                    (worst == nullptr || value(one) > value(*worst))) {
-                    worstAt = &*at;
+                    (worst == nullptr || value(one) > value(*worst) ||
+                     (&at != worstAt && value(one) == value(*worst)))) {
+                    worstAt = &at;
                     worst = &one;
                 }
             }

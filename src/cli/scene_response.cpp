@@ -48,15 +48,15 @@ ResponseSummary summaryOf(const SceneResponse& answer)
                             false,
                             answer.yieldStress};
     const NetworkScales& scales = answer.scales;
-    for (auto at = answer.frequencies.rbegin(); at != answer.frequencies.rend(); ++at) {
+    for (const SceneFrequency& at : answer.frequencies) {
         SummedFrequency& here = summary.frequencies.emplace_back(
-            SummedFrequency{at->hertz,
-                            at->ratio,
-                            at->touches() && at->distance.has_value(),
-                            std::max<std::int64_t>(at->undecided, at->reason ? 1 : 0),
-                            at->reason.value_or(""),
+            SummedFrequency{at.hertz,
+                            at.ratio,
+                            at.touches() && at.distance.has_value(),
+                            std::max<std::int64_t>(at.undecided, at.reason ? 1 : 0),
+                            at.reason.value_or(""),
                             {}});
-        for (const SceneHarmonicMotion& motion : at->motions) {
+        for (const SceneHarmonicMotion& motion : at.motions) {
             here.motions.push_back({.force = motion.value.peakForce * scales.force(),
                                     .impulse = motion.value.impulse * scales.force() * scales.time,
                                     .speed = motion.value.speed * scales.velocity(),
@@ -65,6 +65,7 @@ ResponseSummary summaryOf(const SceneResponse& answer)
                                     .called = contactsOf(motion)});
         }
     }
+    std::reverse(summary.frequencies.begin(), summary.frequencies.end());
     return summary;
 }
 
