@@ -25,13 +25,17 @@ std::string countOf(const ExactAnswer& answer, std::size_t least)
 
 ResponseSummary summaryOf(const ExactAnswer& answer)
 {
-    ResponseSummary summary{{}, "in the list", "the linear response meets a stop",
-                            "", false,         answer.yieldStress};
+    // Of a bar that is pressed at rest it is not known whether contact opens.
+    const bool isPressed = answer.range.stops.right < 0;
+    ResponseSummary summary{
+        {},    answer.isComplete, "in the list", "the linear response meets a stop", "",
+        false, answer.yieldStress};
     for (auto at = answer.frequencies.rbegin(); at != answer.frequencies.rend(); ++at) {
         SummedFrequency& here = summary.frequencies.emplace_back(
             SummedFrequency{.hertz = answers::hertzOf(at->frequencyRatio, answer.bar),
                             .ratio = at->frequencyRatio,
-                            .mustRattle = at->touches});
+                            .isKnown = !isPressed,
+                            .mustRattle = at->touches && !isPressed});
         for (const ExactMotion& one : at->motions) {
             const Physical seen = physicalOf(one.motion.extremes, answer.bar);
             const std::size_t count = one.motion.contacts.size();

@@ -17,7 +17,7 @@ bool canRattle(const SummedFrequency& at)
 
 bool lacksMotion(const SummedFrequency& at)
 {
-    return at.mustRattle && at.undecided == 0 && at.motions.empty();
+    return at.undecided == 0 && at.motions.empty();
 }
 
 }  // namespace
@@ -43,7 +43,14 @@ void ResponseSummary::addRattles(Text& text, const char* otherwise) const
 {
     const std::string all = where(canRattle);
     if (all.empty()) {
-        print(text, "rattles     nowhere{}\n", otherwise);
+        const bool isOpen =
+            std::any_of(frequencies.begin(), frequencies.end(), [](const SummedFrequency& at) {
+                return at.undecided > 0 || (!at.isKnown && at.motions.empty());
+            });
+        print(text, "rattles     nowhere{}\n",
+              !isComplete ? " that was reached"
+              : isOpen    ? " that was decided"
+                          : otherwise);
         return;
     }
     const std::string must = where([](const SummedFrequency& at) { return at.mustRattle; });
@@ -53,19 +60,28 @@ void ResponseSummary::addRattles(Text& text, const char* otherwise) const
 
 void ResponseSummary::addGaps(Text& text) const
 {
-    if (const std::string unmet = where(lacksMotion); !unmet.empty()) {
+    const std::string unmet =
+        where([](const SummedFrequency& at) { return lacksMotion(at) && at.mustRattle; });
+    if (!unmet.empty()) {
         print(text, "no motion   {}, though {}: {}{}\n", which, because, unmet, hint);
     }
+    const std::string unknown =
+        where([](const SummedFrequency& at) { return lacksMotion(at) && !at.isKnown; });
+    if (!unknown.empty()) {
+        print(text,
+              "no motion   {}, and the linear response does not say that there is one: {}{}\n",
+              which, unknown, hint);
+    }
     std::int64_t undecided = 0;
-    const SummedFrequency* last = nullptr;
+    const SummedFrequency* first = nullptr;
     for (const SummedFrequency& at : frequencies) {
         undecided += at.undecided;
-        last = at.undecided > 0 ? &at : last;
+        first = at.undecided > 0 && first == nullptr ? &at : first;
     }
-    if (last != nullptr) {
+    if (first != nullptr) {
         print(text, "undecided   {}{}; the first: {}\n",
               countsSchedules ? fmt::format("{} schedules: ", undecided) : "",
-              where([](const SummedFrequency& at) { return at.undecided > 0; }), last->reason);
+              where([](const SummedFrequency& at) { return at.undecided > 0; }), first->reason);
     }
 }
 

@@ -13,8 +13,7 @@
 namespace signorini::cli {
 
 struct SummedMotion {
-    /// Of a contact that never opens strains alone count.
-    bool isImpact = true;
+    bool isImpact = true;  ///< else contact never opens: strains alone count
     double force = 0.0;    ///< [N]
     double impulse = 0.0;  ///< [N s], in a period
     double speed = 0.0;    ///< [m/s], before a contact
@@ -26,7 +25,8 @@ struct SummedMotion {
 struct SummedFrequency {
     double hertz = 0.0;
     std::optional<double> ratio = {};
-    bool mustRattle = false;     ///< without contacts bars would overlap
+    bool isKnown = true;         ///< what the linear response does
+    bool mustRattle = false;     ///< it would have bars overlap, and no contact is closed for good
     std::int64_t undecided = 0;  ///< schedules, or 1 if anything is
     std::string reason = {};     ///< of that
     std::vector<SummedMotion> motions = {};
@@ -35,6 +35,7 @@ struct SummedFrequency {
 /// By ascending frequency.
 struct ResponseSummary {
     std::vector<SummedFrequency> frequencies;
+    bool isComplete;                    ///< false: interrupted
     const char* which;                  ///< no motion: "with one contact"
     const char* because;                ///< without contacts: "the linear response meets a stop"
     const char* hint;                   ///< what else may be asked where no motion is listed

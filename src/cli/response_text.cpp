@@ -32,6 +32,7 @@ ResponseSummary summaryOf(const ResponseAnswer& answer)
 {
     const bool hasOne = answer.range.contacts == 1;
     ResponseSummary summary{{},
+                            answer.isComplete,
                             hasOne ? "with one contact" : "with one or two contacts",
                             "the linear response meets a stop",
                             hasOne ? "; see --contacts 2" : "",
@@ -42,6 +43,7 @@ ResponseSummary summaryOf(const ResponseAnswer& answer)
         SummedFrequency& here = summary.frequencies.emplace_back(
             SummedFrequency{answers::hertzOf(at->frequencyRatio, answer.bar),
                             at->frequencyRatio,
+                            true,
                             mustRattle(*at),
                             at->undecided,
                             at->detail,
@@ -123,8 +125,7 @@ std::string asText(const ResponseAnswer& answer)
     }
     const ResponseSummary summary = summaryOf(answer);
     print(text, "asked       {}\n", summary.where([](const SummedFrequency&) { return true; }));
-    summary.addRattles(text, answer.undecided() > 0 ? " that was decided"
-                             : range.stops.right > 0
+    summary.addRattles(text, range.stops.right > 0
                                  ? ": the linear response stays clear, and is the only motion found"
                                  : "");
     addPermanent(answer, summary, text);

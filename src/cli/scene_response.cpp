@@ -25,9 +25,17 @@ using answers::SceneFrequency;
 using answers::SceneHarmonicMotion;
 using answers::SceneResponse;
 
+bool neverOpens(const SceneHarmonicMotion& motion)
+{
+    return motion.inSteps && !motion.inSteps->opens;
+}
+
 /// "contact 1", "contacts 1, 2".
 std::string contactsOf(const SceneHarmonicMotion& motion)
 {
+    if (neverOpens(motion)) {
+        return "in contact that never opens";
+    }
     std::string numbers;
     for (const NetworkHarmonicContact& one : motion.value.contacts) {
         numbers += fmt::format("{}{}", numbers.empty() ? "" : ", ", one.contact + 1);
@@ -39,7 +47,13 @@ ResponseSummary summaryOf(const SceneResponse& answer)
 {
     const answers::SceneRange& range = answer.range;
     const bool hasOne = range.contacts == 1;
+    // Of an exact harmonic it is not known whether contacts that are pressed at rest open.
+    const auto& contacts = answer.bars.contacts;
+    const bool isPressed =
+        range.isExact && std::any_of(contacts.begin(), contacts.end(),
+                                     [](const auto& one) { return one.gap < 0.0; });
     ResponseSummary summary{{},
+                            answer.isComplete,
                             hasOne ? "with one contact" : "with one or two contacts",
                             "the linear response closes a contact",
                             range.isExact ? "; computed, not proved"
@@ -49,15 +63,19 @@ ResponseSummary summaryOf(const SceneResponse& answer)
                             answer.yieldStress};
     const NetworkScales& scales = answer.scales;
     for (const SceneFrequency& at : answer.frequencies) {
+        const bool isKnown = at.distance.has_value() && !isPressed;
         SummedFrequency& here = summary.frequencies.emplace_back(
             SummedFrequency{at.hertz,
                             at.ratio,
-                            at.touches() && at.distance.has_value(),
+                            isKnown,
+                            isKnown && at.touches() &&
+                                std::none_of(at.motions.begin(), at.motions.end(), neverOpens),
                             std::max<std::int64_t>(at.undecided, at.reason ? 1 : 0),
                             at.reason.value_or(""),
                             {}});
         for (const SceneHarmonicMotion& motion : at.motions) {
-            here.motions.push_back({.force = motion.value.peakForce * scales.force(),
+            here.motions.push_back({.isImpact = !neverOpens(motion),
+                                    .force = motion.value.peakForce * scales.force(),
                                     .impulse = motion.value.impulse * scales.force() * scales.time,
                                     .speed = motion.value.speed * scales.velocity(),
                                     .strain = motion.strains.largest(),
@@ -136,6 +154,12 @@ std::string asText(const SceneResponse& answer)
     const ResponseSummary summary = summaryOf(answer);
     Text lines;
     summary.addRattles(lines, ": the linear response stays clear");
+    const std::string held = summary.where([](const SummedFrequency& at) {
+        return !at.motions.empty() && !at.motions.front().isImpact;
+    });
+    if (!held.empty()) {
+        print(lines, "permanent   contact: {}\n", held);
+    }
     summary.addGaps(lines);
     summary.addWorst(lines);
     return text + pairsText(answer) + fmt::to_string(lines) + stabilityText(answer);

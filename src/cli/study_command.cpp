@@ -1,5 +1,6 @@
 #include "commands.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <memory>
 #include <sstream>
@@ -48,7 +49,8 @@ std::string asText(const StudyAnswer& answer)
 {
     Text text;
     const bool areSeveral =
-        !answer.points.empty() && answer.points.front().gap != answer.points.back().gap;
+        std::any_of(answer.points.begin(), answer.points.end(),
+                    [&](const StudyPoint& p) { return p.gap != answer.points.front().gap; });
     print(text, "{} sweeps of frequency, {}{}{}\n", answer.points.size(),
           answer.place == Excited::tip ? "force on the tip" : "base moving",
           areSeveral ? "; of several gaps, g and E₁ above are of the first" : "",

@@ -95,7 +95,7 @@ public:
                 return {growthOfLate(weights, weights.size() / (count * count), count),
                         course.isMet};
             }
-            if (course.seen.front().size() >= mostTerms) {
+            if (travel >= static_cast<std::int64_t>(mostTerms) * given_.steps) {
                 return {std::nullopt};
             }
         }

@@ -96,8 +96,13 @@ void GrowingContact::lengthen(std::int64_t contact)
     if (contact == members_) {
         // The same push in all its steps moves nothing, but a bar that drifts.
         const std::vector<double>& speeds = period_.contacts.front().byPush;
-        const double moved = std::accumulate(speeds.begin(), speeds.end(), 0.0);
-        if (std::abs(moved) <= singular * period_.alone) {
+        double moved = 0.0;
+        double size = 0.0;
+        for (const double speed : speeds) {
+            moved += speed;
+            size += std::abs(speed);
+        }
+        if (std::abs(moved) <= singular * size) {
             setFree(contact, trainOf(std::vector<double>(members, 1.0)));
             return;
         }

@@ -909,6 +909,36 @@ TEST_CASE("cli response, simulate: figures with their labels")
     CHECK_THAT(contentOf(program.file("rest.svg")), containsText("no contact"));
 }
 
+TEST_CASE("cli response in words: what the linear response does not say is not taken for clear",
+          "[glpk]")
+{
+    const CommandLine program;
+    const auto textOf = [&](const std::string& asked) {
+        const auto outcome = program.run("response --force tip --amplitude " + asked);
+        INFO(asked << "\n" << outcome.err);
+        CHECK((outcome.status == 0 || outcome.status == 3));
+        CHECK(outcome.out.find("stays clear") == std::string::npos);
+        return outcome.out;
+    };
+    const auto unknown = containsText("the linear response does not say that there is one: 0.");
+    // A bar that flies may be anywhere; forces that nothing balances leave no place to settle from.
+    CHECK_THAT(textOf("1e-2 --from 0.2 --to 1.1 --scene 'stop=-1e-3 8 driven dash=0.2 stop=1e-3'"),
+               unknown && containsText("rattles     nowhere that was decided"));
+    CHECK_THAT(textOf("1e-2 --from 1 --to 1.1 --exact --contacts 2 --scene 'force=-0.1 8 driven "
+                      "dash=0.2 stop=1e-3'"),
+               unknown);
+    // What is pressed at rest need not open.
+    CHECK_THAT(textOf("1e-4 --from 0.5 --to 1.5 --exact --cells 4 --damping 0.1 --gap -1e-3"),
+               unknown);
+    const std::string held =
+        textOf("1e-4 --from 0.5 --to 1.5 --scene 'clamp 4 dash=0.2 driven gap=-1e-3 4 clamp'");
+    CHECK_THAT(held, containsText("permanent   contact: 0.258065 … 0.470588 Hz"));
+    CHECK_THAT(held, containsText("closes a contact: nowhere"));
+    CHECK_THAT(textOf("1e-4 --from 0.99 --to 1.01 --exact --scene 'clamp 4 dash=0.2 driven "
+                      "gap=1e-3 4 clamp'"),
+               containsText("undecided   0.5 Hz") && containsText("resonate"));
+}
+
 TEST_CASE("cli response of several bars in steps: what repels is small in its figure")
 {
     const CommandLine program;
