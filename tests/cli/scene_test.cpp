@@ -163,7 +163,7 @@ TEST_CASE("cli scenes: refusals name what was typed, where, and what there is no
     }
 }
 
-TEST_CASE("cli scenes: of bars that fly no energy but 0 is found where none else is")
+TEST_CASE("cli scenes: of bars that fly no energy but 0 is found where none else is", "[glpk]")
 {
     const CommandLine program;
     const auto outcome =
