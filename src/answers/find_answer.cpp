@@ -51,9 +51,6 @@ std::optional<double> energyAsked(const Call& call, const Bar& bar)
 {
     requireOneEnergy(call);
     const auto energy = call.number("--energy");
-    refuseIf(call.has("--energy-ratio") && bar.gap == 0.0, "--energy-ratio",
-             call.text("--energy-ratio"),
-             "none without a gap, as there is no E₁: joules in its place, by --energy");
     if (!energy) {
         return call.number("--energy-ratio");
     }

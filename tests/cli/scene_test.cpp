@@ -40,14 +40,6 @@ TEST_CASE("cli scenes: without a gap the energy is given in joules and answers s
     CHECK(r["solution_set"]["kind"] == "cone");
     const json none = program.find("3 8 --cells 4 --gap 0 --energy 2e-6", 1);
     CHECK(none["certificate"]["size"].get<std::int64_t>() < 0);
-    for (const char* words : {"find 3 7", "find --period 5/2", "continuum 3 7"}) {
-        const auto outcome =
-            program.run(std::string(words) + " --cells 4 --gap 0 --energy-ratio 4");
-        INFO(words << outcome.out);
-        CHECK(outcome.status == 2);
-        CHECK_THAT(outcome.err, containsText("not allowed without a gap") &&
-                                    containsText("joules in its place"));
-    }
     const auto missing = program.run("find 3 7 --cells 4 --gap 0");
     CHECK(missing.status == 2);
     CHECK_THAT(missing.err, containsText("--energy is missing: allowed"));
@@ -496,8 +488,6 @@ TEST_CASE("cli scenes: forced motions of bars that meet, the least amplitude and
     CHECK(std::filesystem::exists(program.file("f.svg")));
     const double amplitude = least["amplitude_range"][0].get<double>();
     CHECK(least["motions"][0]["amplitude"].get<double>() == Approx(amplitude));
-    CHECK(least["amplitude"] == least["motions"][0]["amplitude"]);
-    CHECK(least["phase"] == least["motions"][0]["phase"]);
     CHECK(lines(contentOf(program.file("s.csv"))) > 9);
     const json two = program.find(bars + fmt::format("--amplitude {}", 1.01 * amplitude), 0);
     for (const json& motion : two["motions"]) {
@@ -506,6 +496,8 @@ TEST_CASE("cli scenes: forced motions of bars that meet, the least amplitude and
     }
     const json none =
         program.find(bars + fmt::format("--amplitude {} --certificate c.json", 0.5 * amplitude), 1);
+    CHECK(least["amplitude"] == least["motions"][0]["amplitude"]);
+    CHECK(least["phase"] == least["motions"][0]["phase"]);
     CHECK(none["certificate"]["kind"] == "amplitude-range");
     CHECK(json::parse(contentOf(program.file("c.json"))) == none);
 }
