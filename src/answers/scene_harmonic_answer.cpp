@@ -7,7 +7,6 @@
 #include "harmonic_network_contact.hpp"
 #include "harmonic_network_settled.hpp"
 #include "late_contacts.hpp"
-#include "statics.hpp"
 
 namespace signorini::answers {
 
@@ -92,14 +91,11 @@ SceneHarmonicAnswer answerOf(const Assembly& assembly, Excited place, std::int64
         contacts, {}};
     answer.amplitude = displacementAt(answer.frequency(), amplitude, derivative);
     if (contacts > 1) {
-        answer.mayPress = restUnderForces(network).has_value();
-        if (!answer.mayPress) {
-            return answer;
-        }
         SettlingSearch search;
         search.mostCycles = std::max(search.mostCycles, cycles);
         search.cancel = cancel;
         SettledNetwork settled = settledHarmonic(answer.given(), search);
+        answer.mayPress = settled.mayRest;
         answer.settledContacts = settled.contacts;
         answer.settledCycles = settled.cycles;
         if (settled.motion && settled.contacts == contacts) {

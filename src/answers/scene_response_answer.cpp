@@ -9,7 +9,6 @@
 #include "harmonic_network_contact.hpp"
 #include "harmonic_network_settled.hpp"
 #include "infinity.hpp"
-#include "statics.hpp"
 #include "two_contacts.hpp"
 
 namespace signorini::answers {
@@ -238,9 +237,6 @@ bool addInSteps(SceneFrequency& at, const HarmonicNetwork& given, const SceneRes
 void addSettled(SceneFrequency& at, const HarmonicNetwork& given, const SceneResponse& asked,
                 const Cancel& cancel)
 {
-    if (!restUnderForces(given.network)) {
-        return;  // nothing to settle from, and no motion
-    }
     SettledNetwork settled = settledHarmonic(
         given, {.cycles = responseCycles, .mostCycles = given.cycles, .cancel = cancel});
     if (settled.motion && settled.contacts == 2) {

@@ -11,6 +11,7 @@
 #include "harmonic_network_walk.hpp"
 #include "harmonic_release.hpp"
 #include "largest.hpp"
+#include "statics.hpp"
 
 namespace signorini {
 
@@ -297,16 +298,7 @@ private:
 std::optional<double> meanPushOf(const Network& network, std::size_t contact)
 {
     constexpr double rounding = 1e-12;
-    const std::vector<std::size_t> bars = driftingBars(network);
-    std::vector<double> forces(bars.size(), 0.0);
-    double size = 0.0;
-    for (const NetworkNode& node : network.nodes) {
-        const auto bar = std::find(bars.begin(), bars.end(), node.bar);
-        if (bar != bars.end()) {
-            forces[static_cast<std::size_t>(bar - bars.begin())] += node.force;
-            size += std::abs(node.force);
-        }
-    }
+    auto [forces, size] = driftForces(network);
     std::optional<double> push;
     for (const auto& [bar, sign] : driftsOf(network, contact)) {
         const double needed = -sign * forces[static_cast<std::size_t>(bar)];

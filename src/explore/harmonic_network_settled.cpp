@@ -12,6 +12,7 @@
 #include "harmonic_network_pattern.hpp"
 #include "harmonic_network_walk.hpp"
 #include "repeated_contacts.hpp"
+#include "statics.hpp"
 
 namespace signorini {
 
@@ -49,6 +50,9 @@ std::vector<NetworkHarmonicContact> eventsOf(const std::vector<NetworkHarmonicCo
 SettledNetwork settledHarmonic(const HarmonicNetwork& given, const SettlingSearch& search)
 {
     const StillCase still = stillOf(given);
+    if (driftsAway(still.given.network)) {
+        return {.mayRest = false};
+    }
     HarmonicNetworkMarch march = HarmonicNetworkMarch::atRest(still.given, mergeLanes);
     const double cycle = static_cast<double>(given.steps) / static_cast<double>(given.cycles);
     const std::int64_t most = std::max(search.mostCycles, given.cycles);

@@ -14,7 +14,8 @@ struct SettledNetwork {
     std::int64_t contacts = 0;  ///< in a period; 0: it does not settle, or touches nothing
     std::int64_t cycles = 0;    ///< of the excitation in that period
     /// If the period is the one asked for and Newton comes to it (harmonic_network_pattern.hpp).
-    std::optional<NetworkHarmonicMotion> motion;
+    std::optional<NetworkHarmonicMotion> motion = {};
+    bool mayRest = true;  ///< else no pushes balance the constant forces: there is no motion
 };
 
 /// Marches from rest until contacts repeat (harmonic_network_march.hpp), then solves for the

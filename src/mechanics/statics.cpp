@@ -1,8 +1,10 @@
 #include "statics.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "channel_waves.hpp"
+#include "contact_spans.hpp"
 #include "dense.hpp"
 #include "faults.hpp"
 #include "infinity.hpp"
@@ -237,6 +239,30 @@ bool isAtRest(const Network& network, ContactSet closed, const Balance& balance)
     return true;
 }
 
+/// Adds the bars that contacts close on where these go that way. \return can they go for ever?
+bool takeAlong(const Network& network, int way, std::vector<bool>& goes)
+{
+    for (bool isDone = false; !isDone;) {
+        isDone = true;
+        for (std::size_t contact = 0; contact < network.contacts.size(); ++contact) {
+            int opens = 0;
+            std::optional<std::size_t> other;
+            for (const auto& [bar, sign] : driftsOf(network, contact)) {
+                opens += goes[bar] ? way * sign : 0;
+                other = goes[bar] ? other : bar;
+            }
+            if (opens < 0 && !other) {
+                return false;
+            }
+            if (opens < 0) {
+                goes[*other] = true;
+                isDone = false;
+            }
+        }
+    }
+    return true;
+}
+
 }  // namespace
 
 std::vector<double> stretchedWaves(const Network& network, std::span<const double> displacements)
@@ -253,7 +279,45 @@ std::vector<double> stretchedWaves(const Network& network, std::span<const doubl
     return waves;
 }
 
-std::optional<Rest> restUnderForces(const Network& network)
+DriftForces driftForces(const Network& network)
+{
+    const std::vector<std::size_t> bars = driftingBars(network);
+    DriftForces forces{std::vector<double>(bars.size(), 0.0)};
+    for (const NetworkNode& node : network.nodes) {
+        const auto bar = std::find(bars.begin(), bars.end(), node.bar);
+        if (bar != bars.end()) {
+            forces.ofBars[static_cast<std::size_t>(bar - bars.begin())] += node.force;
+            forces.size += std::abs(node.force);
+        }
+    }
+    return forces;
+}
+
+bool driftsAway(const Network& network)
+{
+    constexpr double rounding = 1e-12;
+    const auto [forces, size] = driftForces(network);
+    // Of bars in a row those that one takes along are all to one side of it.
+    for (std::size_t first = 0; first < forces.size(); ++first) {
+        for (const int way : {1, -1}) {
+            std::vector<bool> goes(forces.size(), false);
+            goes[first] = true;
+            if (!takeAlong(network, way, goes)) {
+                continue;
+            }
+            double along = 0.0;
+            for (std::size_t bar = 0; bar < forces.size(); ++bar) {
+                along += goes[bar] ? way * forces[bar] : 0.0;
+            }
+            if (along > rounding * size) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+Rest restOf(const Network& network)
 {
     if (network.contacts.size() > mostRestContacts) {
         throwFault("contacts of a scene at rest", network.contacts.size(),
@@ -274,14 +338,6 @@ std::optional<Rest> restUnderForces(const Network& network)
                               stretched[channel]);
         }
         return rest;
-    }
-    return std::nullopt;
-}
-
-Rest restOf(const Network& network)
-{
-    if (std::optional<Rest> rest = restUnderForces(network)) {
-        return *std::move(rest);
     }
     throwFault("constant forces", "those of the scene", "what contacts can hold at rest",
                "start it with --velocity");

@@ -41,11 +41,21 @@ struct Rest {
     ContactSet closed = 0;              ///< contacts that push
 };
 
-/// None if forces move a bar for ever: no pushes give it back its momentum. \throws
-/// std::invalid_argument if there are more than `mostRestContacts` contacts. O(2^contacts nodes^3).
-[[nodiscard]] std::optional<Rest> restUnderForces(const Network& network);
-/// \throws std::invalid_argument where there is none, too.
+/// \throws std::invalid_argument if forces move a bar for ever, or there are more than
+/// `mostRestContacts` contacts. O(2^contacts nodes^3).
 [[nodiscard]] Rest restOf(const Network& network);
+
+/// Constant forces on the bars that drift (contact_spans.hpp), and what rounding is compared with.
+struct DriftForces {
+    std::vector<double> ofBars;
+    double size = 0.0;  ///< sum of |those of nodes|
+};
+[[nodiscard]] DriftForces driftForces(const Network& network);
+
+/// Can bars that nothing holds go one way for ever, with the constant forces on them, and no
+/// contact closes? Then no pushes balance these forces; else some do, and the network can be at
+/// rest. O(bars^2 contacts).
+[[nodiscard]] bool driftsAway(const Network& network);
 
 inline constexpr std::size_t mostRestContacts = 12;
 
