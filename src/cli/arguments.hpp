@@ -121,6 +121,11 @@ struct CommonOptions {
                                        std::optional<double> damping = {}) const;
     /// Words for people, to standard error, unless they are not wanted.
     void say(std::string_view what) const;
+    /// That no file was written, and why.
+    void sayNoFile(std::string_view why) const
+    {
+        say(fmt::format("{}, so no file was written", why));
+    }
     /// Says that a motion breaks the paper's condition, if it does.
     void warnUnlessAdmissible(const Physical& physical) const;
     /// For a command that works on one thread: says so where more were allowed. Said last, so that

@@ -64,7 +64,7 @@ ExitStatus runContinuum(const Given& given)
         outputs.draw("--animate", [&] { return continuumFrames(curve); });
         outputs.commit();
     } else if (outputs.areWanted()) {
-        sayNoFile(common, curve.points.empty());
+        common.sayNoFile(isInterrupted ? "the curve is not complete" : "no motion to write");
     }
     report(common, answer);
     warnOfWorst(common, curve);

@@ -61,8 +61,7 @@ std::string asText(const ExactAnswer& answer)
           name(answer.status()),
           answer.range.place == Excited::tip ? "force on the tip" : "base moving", answer.amplitude,
           answer.range.place == Excited::tip ? "N" : "m", hertz(answer.range.leastFrequencyRatio),
-          hertz(answer.range.mostFrequencyRatio),
-          answer.isComplete ? "" : ": interrupted, the list is not complete");
+          hertz(answer.range.mostFrequencyRatio), unlessComplete(answer.isComplete));
     print(text, "one contact {}{}\n", countOf(answer, 1), answer.isComplete ? ": all of them" : "");
     print(text,
           "several     {}: what a bar at rest settles on, where one is not known to attract\n",

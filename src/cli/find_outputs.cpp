@@ -20,7 +20,7 @@ FindOutputs::FindOutputs(const FindCommand& words)
 void FindOutputs::lackMotion() const
 {
     if (motion_.areWanted()) {
-        words_.common.say("no motion to write, so no file was written");
+        words_.common.sayNoFile("no motion to write");
     }
 }
 

@@ -73,10 +73,10 @@ std::string asText(const answers::ModeAnswer& answer)
 
 std::string asText(const answers::ModeList& listing)
 {
-    std::string text = fmt::format(
-        "{} modes with |b| ≤ {}, T ≤ {} L/c, E ≤ {} E₁{}\n", listing.modes.size(),
-        listing.bounds.maxOrder, listing.bounds.maxPeriod, listing.bounds.maxEnergyRatio,
-        listing.isComplete ? "" : ": interrupted, the list is not complete");
+    std::string text =
+        fmt::format("{} modes with |b| ≤ {}, T ≤ {} L/c, E ≤ {} E₁{}\n", listing.modes.size(),
+                    listing.bounds.maxOrder, listing.bounds.maxPeriod,
+                    listing.bounds.maxEnergyRatio, unlessComplete(listing.isComplete));
     if (listing.modes.empty()) {
         return text;
     }

@@ -39,11 +39,10 @@ std::string chainsAsText(const std::vector<ModeChain>& chains)
 
 std::string asText(const answers::PolytopeList& listing)
 {
-    std::string text =
-        fmt::format("{} types of motions with {} contacts of order ≤ {}, T ≤ {} L/c, E ≤ {} E₁{}\n",
-                    listing.polytopes.size(), listing.phases, listing.bounds.maxOrder,
-                    listing.bounds.maxPeriod, listing.bounds.maxEnergyRatio,
-                    listing.isComplete ? "" : ": interrupted, the list is not complete");
+    std::string text = fmt::format(
+        "{} types of motions with {} contacts of order ≤ {}, T ≤ {} L/c, E ≤ {} E₁{}\n",
+        listing.polytopes.size(), listing.phases, listing.bounds.maxOrder, listing.bounds.maxPeriod,
+        listing.bounds.maxEnergyRatio, unlessComplete(listing.isComplete));
     if (listing.polytopes.empty()) {
         return text;
     }

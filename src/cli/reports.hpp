@@ -86,6 +86,12 @@ void report(const CommonOptions& common, const auto& answer, std::optional<std::
 /// "attracts; 4 disturbances ... became ... times as large in 300 periods"
 [[nodiscard]] std::string stabilityText(const StabilityResult& tried, std::int64_t periods);
 
+/// ": interrupted, the list is not complete", or nothing.
+[[nodiscard]] inline const char* unlessComplete(bool isComplete)
+{
+    return isComplete ? "" : ": interrupted, the list is not complete";
+}
+
 /// ": 12 % of the yield stress, no yield at these values", or nothing without a limit. `where`: "at
 /// these values" where all that the bars do was seen, "in these motions" where some are listed.
 [[nodiscard]] std::string yieldText(double stress, std::optional<double> limit, const char* where);

@@ -41,13 +41,11 @@ ResponseSummary summaryOf(const ResponseAnswer& answer)
     // Listed with the number of steps ascending, so the highest frequency is the first.
     for (auto at = answer.frequencies.rbegin(); at != answer.frequencies.rend(); ++at) {
         SummedFrequency& here = summary.frequencies.emplace_back(
-            SummedFrequency{answers::hertzOf(at->frequencyRatio, answer.bar),
-                            at->frequencyRatio,
-                            true,
-                            mustRattle(*at),
-                            at->undecided,
-                            at->detail,
-                            {}});
+            SummedFrequency{.hertz = answers::hertzOf(at->frequencyRatio, answer.bar),
+                            .ratio = at->frequencyRatio,
+                            .mustRattle = mustRattle(*at),
+                            .undecided = at->undecided,
+                            .reason = at->detail});
         if (at->permanent) {
             const Physical seen = physicalOf(at->permanent->extremes, answer.bar);
             here.motions.push_back({.isImpact = false,
@@ -119,7 +117,7 @@ std::string asText(const ResponseAnswer& answer)
         answer.amplitude, amplitudeUnitName(range.place, range.derivative),
         range.contacts > 1 ? fmt::format(", for two contacts ± {:.3g} %", 100.0 * range.band) : "",
         range.cycles > 1 ? fmt::format(", {} cycles in a period", range.cycles) : "",
-        answer.isComplete ? "" : ": interrupted, the list is not complete");
+        unlessComplete(answer.isComplete));
     if (!answer.scene.segments.empty()) {
         print(text, "segments    {}\n", textOf(answer.scene.segments));
     }

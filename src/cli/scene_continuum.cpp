@@ -30,12 +30,6 @@ std::optional<Assembly> barsOf(const Given& given, const CommonOptions& common)
     return answers::assemblyOf(scene, common.usualCells(), {});
 }
 
-void sayNoFile(const CommonOptions& common, bool isEmpty)
-{
-    common.say(fmt::format("{}, so no file was written",
-                           isEmpty ? "no motion to write" : "the curve is not complete"));
-}
-
 namespace {
 
 std::string asText(const answers::SceneContinuumAnswer& answer)
@@ -121,7 +115,7 @@ ExitStatus continuumInBars(const Given& given, const CommonOptions& common,
         outputs.draw("--animate", [&] { return sceneContinuumFrames(answer); });
         outputs.commit();
     } else if (outputs.areWanted()) {
-        sayNoFile(common, curve.points.empty());
+        common.sayNoFile(isInterrupted ? "the curve is not complete" : "no motion to write");
     }
     report(common, answer, assembly, asText(answer));
     Physical worst;

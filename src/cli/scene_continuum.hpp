@@ -16,7 +16,4 @@ namespace signorini::cli {
 [[nodiscard]] ExitStatus continuumInBars(const Given& given, const CommonOptions& common,
                                          const Assembly& assembly);
 
-/// Says why no file was written of a curve without motions, or of one that was interrupted.
-void sayNoFile(const CommonOptions& common, bool isEmpty);
-
 }  // namespace signorini::cli

@@ -64,15 +64,14 @@ ResponseSummary summaryOf(const SceneResponse& answer)
     const NetworkScales& scales = answer.scales;
     for (const SceneFrequency& at : answer.frequencies) {
         const bool isKnown = at.distance.has_value() && !isPressed;
-        SummedFrequency& here = summary.frequencies.emplace_back(
-            SummedFrequency{at.hertz,
-                            at.ratio,
-                            isKnown,
-                            isKnown && at.touches() &&
-                                std::none_of(at.motions.begin(), at.motions.end(), neverOpens),
-                            std::max<std::int64_t>(at.undecided, at.reason ? 1 : 0),
-                            at.reason.value_or(""),
-                            {}});
+        SummedFrequency& here = summary.frequencies.emplace_back(SummedFrequency{
+            .hertz = at.hertz,
+            .ratio = at.ratio,
+            .isKnown = isKnown,
+            .mustRattle = isKnown && at.touches() &&
+                          std::none_of(at.motions.begin(), at.motions.end(), neverOpens),
+            .undecided = std::max<std::int64_t>(at.undecided, at.reason ? 1 : 0),
+            .reason = at.reason.value_or("")});
         for (const SceneHarmonicMotion& motion : at.motions) {
             here.motions.push_back({.isImpact = !neverOpens(motion),
                                     .force = motion.value.peakForce * scales.force(),
@@ -141,11 +140,11 @@ std::string asText(const SceneResponse& answer)
 {
     const answers::SceneRange& range = answer.range;
     std::string text = fmt::format(
-        "{:<12}{} of amplitude {:.6g} {}, {}, {:.6g} … {:.6g} Hz\n", name(answer.status()),
+        "{:<12}{} of amplitude {:.6g} {}, {}, {:.6g} … {:.6g} Hz{}\n", name(answer.status()),
         range.place == Excited::tip ? "force on what is driven" : "moving base", range.amplitude,
         amplitudeUnitName(range.place, range.derivative),
         range.isExact ? "an exact harmonic" : "a harmonic in steps", range.leastHertz,
-        range.mostHertz);
+        range.mostHertz, unlessComplete(answer.isComplete));
     text += fmt::format("{} at {} of {} frequencies\n",
                         range.contacts > 1 ? "one or two contacts" : "one contact",
                         std::count_if(answer.frequencies.begin(), answer.frequencies.end(),

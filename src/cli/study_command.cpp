@@ -54,7 +54,7 @@ std::string asText(const StudyAnswer& answer)
     print(text, "{} sweeps of frequency, {}{}{}\n", answer.points.size(),
           answer.place == Excited::tip ? "force on the tip" : "base moving",
           areSeveral ? "; of several gaps, g and E₁ above are of the first" : "",
-          answer.isComplete ? "" : ": interrupted, the list is not complete");
+          unlessComplete(answer.isComplete));
     const std::string unit = amplitudeUnitName(answer.place, answer.derivative);
     print(text, "{:>12} {:>9} {:>12} {:>12} {:>10} {:>12} {:>12}  {}\n", "gap [m]", "damping",
           "size [" + unit + "]", "impulse [Ns]", "at [Hz]", "force [N]", "stress [Pa]",

@@ -16,6 +16,7 @@
 #include "harmonic_network_walk.hpp"
 #include "harmonic_pattern.hpp"
 #include "sanitized.hpp"
+#include "scene_words.hpp"
 #include "signorini/assembly.hpp"
 
 using namespace signorini;
@@ -148,9 +149,7 @@ TEST_CASE("growth of several contacts: a motion with one contact, of two periods
          {std::pair("clamp 9 8:1.7 dash=0.05 driven stop=1e-3", 1.0),
           std::pair("clamp 7 dash=0.1 driven gap=1e-3 dash=0.2 8:1.3 clamp", 1.0),
           std::pair("clamp shaken 7 8:0.6 dash=0.1 stop=1e-3", 15.0)}) {
-        Assembly assembly;
-        assembly.parts = partsOf(words);
-        const Network network = networkOf(assembly);
+        const Network network = sceneOf(words);
         const Excited place = network.nodes.front().isShaken ? Excited::base : Excited::tip;
         const int draws = test::drawsFew() ? 30 : 50;  // a fifth holds too few that are seen
         for (int i = 0; i < draws; ++i) {
@@ -207,9 +206,7 @@ TEST_CASE("growth of several contacts: of a bar that flies, disturbances fade as
           Asked{"driven dash=0.3 force=0.3 8 stop=0.5", 1.16, 58},
           Asked{"driven dash=0.3 force=0.05 8 stop=0.5", 0.358, 15}}) {
         INFO(words << ", n = " << steps << ", " << amplitude);
-        Assembly assembly;
-        assembly.parts = partsOf(words);
-        const HarmonicNetwork given{networkOf(assembly), Excited::tip, amplitude, steps, 1};
+        const HarmonicNetwork given{sceneOf(words), Excited::tip, amplitude, steps, 1};
         const SettledNetwork found = settledHarmonic(given, {.cycles = 600});
         REQUIRE(found.motion.has_value());
         CHECK((found.contacts > 1 || words[0] == 'd'));

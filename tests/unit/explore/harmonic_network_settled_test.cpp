@@ -11,6 +11,7 @@
 #include "harmonic_settled.hpp"
 #include "network_simulation.hpp"
 #include "sanitized.hpp"
+#include "scene_words.hpp"
 #include "signorini/assembly.hpp"
 
 using namespace signorini;
@@ -132,10 +133,8 @@ TEST_CASE("settled network: forces in finer and finer steps meet the same contac
           Asked{"stop=-1e-3 7 dash=0.3 driven stop=1e-3", 47, 2.4},
           Asked{"stop=-1e-3 5 dash=0.3 driven gap=1e-3 6 dash=0.2 stop=1e-3", 37, 3.34},
           Asked{"driven dash=0.3 force=0.3 8 stop=0.5", 21, 0.644}}) {
-        Assembly assembly;
-        assembly.parts = partsOf(words);
-        const SettledNetwork found = settledHarmonic(
-            HarmonicNetwork{networkOf(assembly), Excited::tip, amplitude, steps, 1});
+        const SettledNetwork found =
+            settledHarmonic(HarmonicNetwork{sceneOf(words), Excited::tip, amplitude, steps, 1});
         INFO(words << ": " << found.contacts << " in " << found.cycles);
         REQUIRE(found.motion.has_value());
         const std::vector<NetworkHarmonicContact>& contacts = found.motion->contacts;
@@ -156,9 +155,7 @@ TEST_CASE("settled network: forces in finer and finer steps meet the same contac
 
 TEST_CASE("settled network: a ball under its weight settles on a motion of the list of one contact")
 {
-    Assembly assembly;
-    assembly.parts = partsOf("driven dash=0.3 force=0.3 8 stop=0.5");
-    const Network network = networkOf(assembly);
+    const Network network = sceneOf("driven dash=0.3 force=0.3 8 stop=0.5");
     std::mt19937 random(3);
     const auto draw = [&](double least, double most) {
         return std::uniform_real_distribution<>(least, most)(random);
